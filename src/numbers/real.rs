@@ -20,6 +20,16 @@ pub enum Precision {
     F64,
 }
 
+impl Precision {
+    /// The largest finite number.
+    pub fn largest(self) -> f64 {
+        match self {
+            Self::F32 => f64::from(f32::MAX),
+            Self::F64 => f64::MAX,
+        }
+    }
+}
+
 /// An IEEE 754 number, `f32` or `f64`, and the vector made of three of them.
 ///
 /// Only operations that IEEE 754 rounds correctly are here, so that every platform computes the same bits.

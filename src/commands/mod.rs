@@ -1,0 +1,77 @@
+//! Floor 7: what people run. Only this floor prints, and only `main` exits. One command a file.
+
+mod check;
+mod completions;
+mod effects;
+mod failure;
+mod files;
+mod options;
+mod output;
+mod pixel;
+mod progress;
+mod ray;
+mod render;
+mod schema;
+
+use std::ffi::OsString;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+/// Traces rays through a scene and keeps the tree of every ray it shoots.
+#[derive(Debug, Parser)]
+#[command(name = "raytree", version, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXIT_CODES: &str = "Results go to standard output or to the file after -o, everything else to standard error.
+\"-\" as a file is standard input or output.
+
+Exit codes:
+  0    fine; also when the reader of a pipe has gone
+  1    the answer is no: `check` found the file invalid, a ledger does not balance
+  2    the input is at fault: a file, a value, the command line
+  3    the machine is at fault: a result cannot be written
+  130  interrupted by Ctrl-C";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Render(render::Args),
+    Pixel(pixel::Args),
+    Ray(ray::Args),
+    Effects(effects::Args),
+    Check(check::Args),
+    Schema(schema::Args),
+    Completions(completions::Args),
+}
+
+/// Runs the command line `args`, the program's name first, and returns the exit code.
+pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(args.into_iter().map(options::shield_vector)) {
+        Ok(cli) => cli,
+        Err(error) => {
+            // Help and version are no errors: clap prints them on standard output, and the rest on standard error.
+            let code = if error.use_stderr() { 2 } else { 0 };
+            return match error.print() {
+                Ok(()) => code,
+                Err(error) => Failure::from_write("standard output", &error).report(),
+            };
+        }
+    };
+    let done = match cli.command {
+        Command::Render(args) => render::run(&args),
+        Command::Pixel(args) => pixel::run(&args),
+        Command::Ray(args) => ray::run(&args),
+        Command::Effects(args) => effects::run(&args),
+        Command::Check(args) => check::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Completions(args) => completions::run(&args),
+    };
+    match done {
+        Ok(()) => 0,
+        Err(failure) => failure.report(),
+    }
+}

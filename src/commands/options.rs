@@ -1,0 +1,165 @@
+//! Arguments that several commands share.
+
+use std::ffi::OsString;
+
+use clap::ValueEnum;
+
+use super::failure::Failure;
+use crate::hits::Acceleration;
+use crate::input::{Problem, nearest, one_of};
+use crate::kernels::Ray;
+use crate::numbers::{Precision, Real, Vector3, flush_tiny, is_in_range};
+use crate::scene::{Limits, Loaded, Numerics, Scene};
+use crate::transport::{Options, Tracer};
+
+/// How to trace, where it is not the scene that says so.
+#[derive(Clone, Debug, clap::Args)]
+#[command(next_help_heading = "How to trace")]
+pub(super) struct TraceArgs {
+    /// Precision of the geometry [default: the scene's, else f64]
+    #[arg(long, value_enum)]
+    precision: Option<PrecisionArg>,
+    /// Set of kernels [default: the scene's, else certified]
+    #[arg(long, value_enum)]
+    numerics: Option<NumericsArg>,
+    /// How hits are found; the results are the same
+    #[arg(long, value_enum, default_value_t = AccelerationArg::Bvh)]
+    acceleration: AccelerationArg,
+    /// Depth of the recursion, 0 to 64 [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(Limits::DEEPEST)))]
+    max_depth: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum PrecisionArg {
+    F32,
+    F64,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum NumericsArg {
+    /// The lecture's formulas as they stand
+    Lecture,
+    /// The usual remedies
+    Robust,
+    /// Every verdict exact
+    Certified,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum AccelerationArg {
+    /// Every shape, in order
+    List,
+    /// A bounding volume hierarchy
+    Bvh,
+}
+
+impl TraceArgs {
+    /// The precision to trace this scene in.
+    pub(super) fn precision(&self, scene: &Scene) -> Precision {
+        match self.precision {
+            Some(PrecisionArg::F32) => Precision::F32,
+            Some(PrecisionArg::F64) => Precision::F64,
+            None => scene.precision.unwrap_or(Precision::F64),
+        }
+    }
+
+    /// The scene made ready in precision `R`.
+    pub(super) fn tracer<'s, R: Real>(&self, loaded: &'s Loaded) -> Result<Tracer<'s, R>, Failure> {
+        let mut options = Options::of(&loaded.scene);
+        if let Some(numerics) = self.numerics {
+            options.numerics = match numerics {
+                NumericsArg::Lecture => Numerics::Lecture,
+                NumericsArg::Robust => Numerics::Robust,
+                NumericsArg::Certified => Numerics::Certified,
+            };
+        }
+        options.acceleration = match self.acceleration {
+            AccelerationArg::List => Acceleration::List,
+            AccelerationArg::Bvh => Acceleration::Bvh,
+        };
+        if let Some(max_depth) = self.max_depth {
+            options.limits.max_depth = max_depth;
+        }
+        Tracer::new(&loaded.scene, options).map_err(|id| {
+            let message = format!("object {} ({:?}) does not fit in f32", id.0, loaded.scene.object(id).name);
+            Problem::new(&loaded.file, message, "coordinates below 3.4e38 in magnitude, or `--precision f64`").into()
+        })
+    }
+}
+
+/// A pixel by its place or its name, and the name if it has one.
+pub(super) fn find_pixel<'s>(scene: &'s Scene, word: &str) -> Result<([u32; 2], Option<&'s str>), Failure> {
+    let named = |found: &(String, [u32; 2])| found.0 == word;
+    if let Some((name, pixel)) = scene.pixels.iter().find(|p| named(p)) {
+        return Ok((*pixel, Some(name)));
+    }
+    let names = || scene.pixels.iter().map(|(name, _)| name.as_str());
+    let (width, height) = (scene.image.width, scene.image.height);
+    let Some((x, y)) = word.split_once(',').and_then(|(x, y)| {
+        let parse = |digits: &str| digits.trim().parse::<i64>().ok();
+        Some((parse(x)?, parse(y)?))
+    }) else {
+        let near = nearest(word, names()).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+        let help = format!("{near}x,y (0 to {}, 0 to {}) or a name: {}", width - 1, height - 1, one_of(names()));
+        return Err(Problem::new("PIXEL", format!("there is no pixel `{word}`"), help).into());
+    };
+    if !(0..i64::from(width)).contains(&x) || !(0..i64::from(height)).contains(&y) {
+        let message = format!("pixel {x},{y} lies outside the image of {width} x {height}");
+        let help = format!("x is 0 to {}, y is 0 to {}", width - 1, height - 1);
+        return Err(Problem::new("PIXEL", message, help).into());
+    }
+    let pixel = [x as u32, y as u32];
+    Ok((pixel, scene.pixels.iter().find(|(_, p)| *p == pixel).map(|(name, _)| name.as_str())))
+}
+
+/// A vector written as `x,y,z`; `what` names it in messages.
+pub(super) fn parse_vector(what: &str, word: &str) -> Result<[f64; 3], Failure> {
+    let wrong = |message: String| Problem::new(what, message, "three finite numbers with commas between: 0,1.5,-5");
+    let parts: Vec<&str> = word.trim().split(',').collect();
+    let [x, y, z] = parts.as_slice() else {
+        return Err(wrong(format!("`{}` has {} components", word.trim(), parts.len())).into());
+    };
+    let mut vector = [0.0; 3];
+    for (component, word) in vector.iter_mut().zip([x, y, z]) {
+        let word = word.trim();
+        *component = word.parse::<f64>().map_err(|_| wrong(format!("`{word}` is not a number")))?;
+        if !component.is_finite() {
+            return Err(wrong(format!("`{word}` is not finite")).into());
+        }
+        if !is_in_range(*component) {
+            let help = "0 or a multiple of 2^-178, at most 2^128 in magnitude; every f32 is one";
+            return Err(Problem::new(what, format!("`{word}` is out of the range of exact arithmetic"), help).into());
+        }
+    }
+    Ok(vector)
+}
+
+/// The ray from `origin` towards `direction` in precision `R`.
+pub(super) fn make_ray<R: Real>(origin: &str, direction: &str) -> Result<Ray<R>, Failure> {
+    let origin = parse_vector("ORIGIN", origin)?;
+    let direction = parse_vector("DIRECTION", direction)?.map(flush_tiny);
+    let ray = Ray::<R> { origin: R::Vec3::from_f64(origin), direction: R::Vec3::from_f64(direction) };
+    if ray.direction == R::Vec3::default() {
+        return Err(Problem::new("DIRECTION", "a direction of length zero", "any other vector").into());
+    }
+    let finite = ray.origin.to_f64().iter().chain(&ray.direction.to_f64()).all(|x| x.is_finite());
+    if !finite {
+        return Err(Problem::new("ORIGIN", "the ray does not fit in f32", "below 3.4e38, or `--precision f64`").into());
+    }
+    Ok(ray)
+}
+
+/// Keeps a vector that begins with a minus sign from being read as an option, by a space that [`parse_vector`] drops.
+pub(super) fn shield_vector(word: OsString) -> OsString {
+    let is_vector = |text: &str| {
+        let mut chars = text.chars();
+        chars.next() == Some('-')
+            && chars.next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '.' | 'i' | 'n' | 'I' | 'N'))
+            && text.contains(',')
+    };
+    match word.to_str() {
+        Some(text) if is_vector(text) => format!(" {text}").into(),
+        _ => word,
+    }
+}

@@ -1,0 +1,41 @@
+//! Long work: a bar on a terminal's standard error, and a way to stop.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::failure::Failure;
+
+static STOP: AtomicBool = AtomicBool::new(false);
+
+/// A flag that Ctrl-C sets from now on, instead of ending the program.
+pub(super) fn stop_flag() -> &'static AtomicBool {
+    // Only the first call installs the handler; that a second one fails is as it should be.
+    ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed)).ok();
+    &STOP
+}
+
+/// A bar over `steps` steps; invisible unless standard error is a terminal.
+pub(super) fn bar(what: &str, steps: u64) -> ProgressBar {
+    let target = match std::io::stderr().is_terminal() {
+        true => ProgressDrawTarget::stderr(),
+        false => ProgressDrawTarget::hidden(),
+    };
+    let bar = ProgressBar::with_draw_target(Some(steps), target);
+    if let Ok(style) = ProgressStyle::with_template("{prefix} {wide_bar} {percent}% {eta}") {
+        bar.set_style(style);
+    }
+    bar.set_prefix(what.to_owned());
+    bar
+}
+
+/// Runs `work` on this many threads, or on one a core.
+pub(super) fn on_threads<T: Send>(threads: Option<u16>, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let mut pool = rayon::ThreadPoolBuilder::new();
+    if let Some(threads) = threads {
+        pool = pool.num_threads(threads.into());
+    }
+    let pool = pool.build().map_err(|error| Failure::Machine(format!("no threads could be started: {error}")))?;
+    Ok(pool.install(work))
+}

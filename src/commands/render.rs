@@ -1,0 +1,69 @@
+//! `raytree render`: the picture.
+
+use super::failure::Failure;
+use super::options::TraceArgs;
+use super::{files, output, progress};
+use crate::input::Problem;
+use crate::numbers::{Precision, Real};
+use crate::pictures::{self, Format};
+use crate::scene::Loaded;
+
+/// Writes the picture of a scene: PNG (8-bit sRGB), or OpenEXR or PFM (linear floats)
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  raytree render scenes/whitted.json -o image.png")]
+pub(super) struct Args {
+    /// Scene file, or - for standard input
+    scene: String,
+    /// Where to: a path ending in .png, .exr or .pfm
+    #[arg(short, long, value_name = "FILE")]
+    output: String,
+    /// Threads to trace on [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    #[command(flatten)]
+    trace: TraceArgs,
+}
+
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let format = format_of(&args.output)?;
+    let loaded = files::load_scene(&args.scene)?;
+    write_picture(&loaded, &args.trace, args.threads, format, &args.output)
+}
+
+/// The format of a picture's file name; standard output takes PNG.
+pub(super) fn format_of(file: &str) -> Result<Format, Failure> {
+    let format = if file == "-" { Some(Format::Png) } else { Format::of(file) };
+    format.ok_or_else(|| {
+        let message = "no picture format goes with this ending";
+        Problem::new(file, message, "a path that ends in .png, .exr or .pfm, or - for a PNG on standard output").into()
+    })
+}
+
+/// Traces the scene and writes its picture.
+pub(super) fn write_picture(
+    loaded: &Loaded,
+    trace: &TraceArgs,
+    threads: Option<u16>,
+    format: Format,
+    file: &str,
+) -> Result<(), Failure> {
+    let bytes = match trace.precision(&loaded.scene) {
+        Precision::F32 => encode::<f32>(loaded, trace, threads, format)?,
+        Precision::F64 => encode::<f64>(loaded, trace, threads, format)?,
+    };
+    output::write(Some(file), &bytes)
+}
+
+fn encode<R: Real>(
+    loaded: &Loaded,
+    trace: &TraceArgs,
+    threads: Option<u16>,
+    format: Format,
+) -> Result<Vec<u8>, Failure> {
+    let tracer = trace.tracer::<R>(loaded)?;
+    let stop = progress::stop_flag();
+    let bar = progress::bar("tracing", loaded.scene.image.height.into());
+    let film = progress::on_threads(threads, || pictures::render(&tracer, &|| bar.inc(1), stop))?;
+    bar.finish_and_clear();
+    film.ok_or(Failure::Interrupted)?.encode(format).map_err(Failure::Machine)
+}

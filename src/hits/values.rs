@@ -1,0 +1,94 @@
+//! The intermediate values of a test, for showing: those of the kernel that decided, under the letters of its source.
+
+use super::probe::{Quantity, Values};
+use super::world::Geometry;
+use crate::kernels::{
+    Aabb, Plane, Ray, Sphere, Triangle, box_explicit_zero_values, box_lecture_values, plane_values,
+    sphere_naive_values, sphere_values, triangle_lecture_values, triangle_moller_trumbore_values,
+};
+use crate::numbers::{Real, Vector3};
+use crate::scene::Numerics;
+
+/// Of a test of an object that is not a mesh.
+pub(super) fn of_object<R: Real>(numerics: Numerics, ray: &Ray<R>, geometry: &Geometry<R>) -> Values {
+    match geometry {
+        Geometry::Sphere(sphere) => of_sphere(numerics, ray, sphere),
+        Geometry::Plane(plane) => of_plane(ray, plane),
+        Geometry::Box(aabb) => of_box(numerics, ray, aabb),
+        Geometry::Triangle(triangle) => of_triangle(numerics, ray, triangle),
+        Geometry::Mesh(_) => Values::new(),
+    }
+}
+
+/// Of a test of a triangle. The certified kernel's filter computes Möller and Trumbore's determinants in f64.
+pub(super) fn of_triangle<R: Real>(numerics: Numerics, ray: &Ray<R>, triangle: &Triangle<R>) -> Values {
+    match numerics {
+        Numerics::Lecture => {
+            let v = triangle_lecture_values(ray, triangle);
+            let abc = [("a", v.a), ("b", v.b), ("c", v.c)];
+            let mut values = vec![("n", vector::<R>(v.n)), ("n_dot_d", number(v.n_dot_d)), ("t", number(v.t))];
+            values.push(("p", vector::<R>(v.p)));
+            values.extend(abc.map(|(name, x)| (name, number(x))));
+            values
+        }
+        Numerics::Robust => determinants(ray, triangle),
+        Numerics::Certified => {
+            let wide = Triangle::<f64> { vertices: triangle.vertices.map(widen::<R>) };
+            determinants(&Ray { origin: widen::<R>(ray.origin), direction: widen::<R>(ray.direction) }, &wide)
+        }
+    }
+}
+
+fn determinants<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>) -> Values {
+    let v = triangle_moller_trumbore_values(ray, triangle);
+    [("det", v.det), ("u", v.u), ("v", v.v), ("w", v.w), ("t", v.t)].map(|(name, x)| (name, number(x))).to_vec()
+}
+
+fn of_plane<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Values {
+    let v = plane_values(ray, plane);
+    vec![("n_dot_d", number(v.n_dot_d)), ("n_dot_o", number(v.n_dot_o)), ("t", number(v.t))]
+}
+
+fn of_sphere<R: Real>(numerics: Numerics, ray: &Ray<R>, sphere: &Sphere<R>) -> Values {
+    let named = |values: &[(&'static str, R)]| values.iter().map(|&(name, x)| (name, number(x))).collect();
+    match numerics {
+        Numerics::Lecture => {
+            let v = sphere_naive_values(ray, sphere);
+            named(&[("a", v.a), ("b", v.b), ("c", v.c), ("disc", v.disc), ("t_in", v.t_in), ("t_out", v.t_out)])
+        }
+        Numerics::Robust | Numerics::Certified => {
+            let v = sphere_values(ray, sphere);
+            named(&[
+                ("a", v.a),
+                ("b", v.b),
+                ("c", v.c),
+                ("l_dot_l", v.l_dot_l),
+                ("disc", v.disc),
+                ("t_in", v.t_in),
+                ("t_out", v.t_out),
+            ])
+        }
+    }
+}
+
+fn of_box<R: Real>(numerics: Numerics, ray: &Ray<R>, aabb: &Aabb<R>) -> Values {
+    let v = match numerics {
+        Numerics::Lecture => box_lecture_values(ray, aabb),
+        Numerics::Robust | Numerics::Certified => box_explicit_zero_values(ray, aabb),
+    };
+    let names = ["t_-x", "t_+x", "t_-y", "t_+y", "t_-z", "t_+z"];
+    let faces = names.into_iter().zip(v.t);
+    faces.chain([("t_in", v.t_in), ("t_out", v.t_out)]).map(|(name, x)| (name, number(x))).collect()
+}
+
+fn number<R: Real>(x: R) -> Quantity {
+    Quantity::Number(x.to_f64())
+}
+
+fn vector<R: Real>(v: R::Vec3) -> Quantity {
+    Quantity::Vector(v.to_f64())
+}
+
+fn widen<R: Real>(v: R::Vec3) -> glam::DVec3 {
+    glam::DVec3::from_array(v.to_f64())
+}

@@ -1,0 +1,337 @@
+//! The geometry of a scene in one precision, ready to be hit.
+
+use super::bvh::Bvh;
+use super::nearest::{All, Any, Candidate, Detail, Hit, Limit, Nearest, Sink, TiedWith};
+use super::probe::Probe;
+use super::slabs::Bounds;
+use super::start::Departure;
+use super::{list, test};
+use crate::kernels::{
+    Aabb, Plane, Ray, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle, longest_edge,
+};
+use crate::numbers::{Certificate, Precision, Real, Vector3};
+use crate::scene::{Numerics, ObjectId, Scene, Shape};
+
+/// How candidates are found. Both give the same bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Acceleration {
+    /// Every shape is tested, in order: the oracle.
+    List,
+    /// A bounding volume hierarchy over the objects, and one over the triangles of each mesh.
+    #[default]
+    Bvh,
+}
+
+/// One object's geometry.
+#[derive(Clone, Debug)]
+pub enum Geometry<R: Real> {
+    /// A sphere.
+    Sphere(Sphere<R>),
+    /// A plane.
+    Plane(Plane<R>),
+    /// A box.
+    Box(Aabb<R>),
+    /// A lone triangle.
+    Triangle(Triangle<R>),
+    /// A mesh.
+    Mesh(MeshGeometry<R>),
+}
+
+/// A mesh's triangles, and what is known of all of them.
+#[derive(Clone, Debug)]
+pub struct MeshGeometry<R: Real> {
+    /// In the order of the file.
+    pub triangles: Vec<Triangle<R>>,
+    /// The corners of the box around them.
+    pub aabb: Aabb<R>,
+    /// The largest component of an edge.
+    pub longest_edge: f64,
+    /// Each triangle's box.
+    pub bounds: Vec<Bounds>,
+    /// Over `bounds`.
+    pub bvh: Bvh,
+}
+
+impl<R: Real> MeshGeometry<R> {
+    fn new(triangles: Vec<Triangle<R>>, growth: f64) -> Self {
+        let bounds: Vec<Bounds> = triangles.iter().map(|t| Bounds::of::<R>(t.vertices).grown(growth)).collect();
+        let around = Bounds::of::<R>(triangles.iter().flat_map(|t| t.vertices));
+        Self {
+            aabb: Aabb { min: R::Vec3::from_f64(around.min), max: R::Vec3::from_f64(around.max) },
+            longest_edge: triangles.iter().map(longest_edge).fold(0.0, f64::max),
+            bvh: Bvh::new(&bounds),
+            bounds,
+            triangles,
+        }
+    }
+
+    /// The triangle that a hit names; a hit of a mesh always names one.
+    #[inline(always)]
+    pub fn triangle(&self, primitive: Option<u32>) -> &Triangle<R> {
+        &self.triangles[primitive.unwrap_or_default() as usize]
+    }
+}
+
+/// The geometry of a scene in one precision.
+#[derive(Clone, Debug)]
+pub struct World<R: Real> {
+    geometry: Vec<Geometry<R>>,
+    /// Each object's box; nothing around a plane.
+    bounds: Vec<Option<Bounds>>,
+    /// Over the objects that have one.
+    bvh: Bvh,
+    bounded: Vec<ObjectId>,
+    unbounded: Vec<ObjectId>,
+    numerics: Numerics,
+    acceleration: Acceleration,
+}
+
+impl<R: Real> World<R> {
+    /// The geometry of `scene`, rounded to `R`.
+    ///
+    /// # Errors
+    /// The first object with a coordinate that is not finite in `R`.
+    pub fn new(scene: &Scene, numerics: Numerics, acceleration: Acceleration) -> Result<Self, ObjectId> {
+        // Certified hits lie in their boxes; the hits of other kernels are rounded, and so may lie a little beside them.
+        let growth = match numerics {
+            Numerics::Certified => f64::EPSILON,
+            Numerics::Lecture | Numerics::Robust => 512.0 * R::UNIT_ROUNDOFF.to_f64(),
+        };
+        let mut world = Self {
+            geometry: Vec::with_capacity(scene.objects.len()),
+            bounds: Vec::with_capacity(scene.objects.len()),
+            bvh: Bvh::default(),
+            bounded: Vec::new(),
+            unbounded: Vec::new(),
+            numerics,
+            acceleration,
+        };
+        for id in scene.object_ids() {
+            let geometry = geometry::<R>(&scene.object(id).shape, growth);
+            let around = bounds(&geometry);
+            let finite = |b: &Bounds| b.min.iter().chain(&b.max).all(|x| x.is_finite());
+            if !around.as_ref().is_none_or(finite) || !plane_is_finite(&geometry) {
+                return Err(id);
+            }
+            match &around {
+                Some(_) => world.bounded.push(id),
+                None => world.unbounded.push(id),
+            }
+            world.bounds.push(around.map(|b| b.grown(growth)));
+            world.geometry.push(geometry);
+        }
+        let boxes: Vec<Bounds> = world.bounds.iter().copied().flatten().collect();
+        world.bvh = Bvh::new(&boxes);
+        Ok(world)
+    }
+
+    /// The kernels in use.
+    #[inline(always)]
+    pub fn numerics(&self) -> Numerics {
+        self.numerics
+    }
+
+    /// The precision in use.
+    pub fn precision(&self) -> Precision {
+        R::PRECISION
+    }
+
+    /// An object's geometry.
+    #[inline(always)]
+    pub fn geometry(&self, id: ObjectId) -> &Geometry<R> {
+        &self.geometry[id.0 as usize]
+    }
+
+    /// An object's box, a little larger than the object; nothing around a plane.
+    pub(super) fn bounds(&self, id: ObjectId) -> Option<&Bounds> {
+        self.bounds[id.0 as usize].as_ref()
+    }
+
+    /// The ids of all objects, in order.
+    pub(super) fn object_ids(&self) -> impl Iterator<Item = ObjectId> + use<R> {
+        (0..self.geometry.len() as u32).map(ObjectId)
+    }
+
+    /// The objects without a box.
+    pub(super) fn unbounded(&self) -> &[ObjectId] {
+        &self.unbounded
+    }
+
+    /// The hierarchy over the objects that have a box.
+    pub(super) fn bvh(&self) -> &Bvh {
+        &self.bvh
+    }
+
+    /// The object that an item of [`World::bvh`] stands for.
+    pub(super) fn item(&self, item: u32) -> ObjectId {
+        self.bounded[item as usize]
+    }
+
+    /// The nearest hit of a ray that starts on the surfaces of `departure`.
+    ///
+    /// # None when
+    /// Nothing is hit at `0 <= t`, `t < t_max`; or the ray is not one: a component is infinite or NaN, or the direction zero.
+    pub fn nearest<P: Probe>(
+        &self,
+        ray: &Ray<R>,
+        t_max: Limit,
+        departure: Departure<'_>,
+        probe: &mut P,
+    ) -> Option<Hit<R>> {
+        let mut sink = Nearest::new(t_max);
+        self.walk(ray, departure, &mut sink, probe);
+        let nearest = sink.best?;
+        let mut tied = Vec::new();
+        if sink.tied {
+            let mut sink = TiedWith::new(nearest);
+            self.walk(ray, departure, &mut sink, &mut ());
+            tied = sink.others;
+            tied.sort_by_key(|c| (c.object, c.primitive));
+        }
+        Some(Hit { nearest, tied })
+    }
+
+    /// Whether anything is hit at all, as [`World::nearest`] has it.
+    pub fn is_hit(&self, ray: &Ray<R>, t_max: Limit, departure: Departure<'_>) -> bool {
+        let mut sink = Any::new(t_max);
+        self.walk(ray, departure, &mut sink, &mut ());
+        sink.found
+    }
+
+    /// All hits of one object at `0 <= t`, in no particular order.
+    pub fn all_hits(&self, ray: &Ray<R>, id: ObjectId) -> Vec<Candidate<R>> {
+        let mut sink = All(Vec::new());
+        if is_ray(ray) {
+            list::object(self, ray, id, Departure::default(), &mut sink, &mut ());
+        }
+        sink.0
+    }
+
+    #[inline(always)]
+    fn walk<S: Sink<R>, P: Probe>(&self, ray: &Ray<R>, departure: Departure<'_>, sink: &mut S, probe: &mut P) {
+        if !is_ray(ray) {
+            return;
+        }
+        match self.acceleration {
+            Acceleration::List => list::walk(self, ray, departure, sink, probe),
+            Acceleration::Bvh => test::walk_hierarchy(self, ray, departure, sink, probe),
+        }
+    }
+
+    /// The unit geometric normal at a hit, outward; of a triangle `(v1 - v0) x (v2 - v0)`.
+    pub fn geometric_normal(&self, point: R::Vec3, hit: &Candidate<R>) -> R::Vec3 {
+        match self.geometry(hit.object) {
+            Geometry::Plane(plane) => plane.normal,
+            Geometry::Sphere(sphere) => unit::<R>((point - sphere.center).to_f64()),
+            Geometry::Box(_) => {
+                let face = hit.primitive.unwrap_or_default();
+                let mut normal = [0.0; 3];
+                normal[face as usize / 2] = if face % 2 == 0 { -1.0 } else { 1.0 };
+                R::Vec3::from_f64(normal)
+            }
+            Geometry::Triangle(triangle) => triangle_normal(triangle),
+            Geometry::Mesh(mesh) => triangle_normal(mesh.triangle(hit.primitive)),
+        }
+    }
+
+    /// The point of a hit: `o + t d`; of a box clamped to it, and exactly in the face.
+    pub fn point(&self, ray: &Ray<R>, hit: &Candidate<R>) -> R::Vec3 {
+        let point = ray.at(R::from_f64(hit.t)).to_f64();
+        // Where f32 overflows (a plane seen almost edge-on), the last finite coordinate.
+        let largest = R::PRECISION.largest();
+        let mut point = point.map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) });
+        if let (Geometry::Box(aabb), Some(face)) = (self.geometry(hit.object), hit.primitive) {
+            let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
+            for k in 0..3 {
+                point[k] = point[k].clamp(min[k], max[k]);
+            }
+            let axis = face as usize / 2;
+            point[axis] = if face % 2 == 0 { min[axis] } else { max[axis] };
+        }
+        R::Vec3::from_f64(point)
+    }
+
+    /// How the verdict on a hit was reached: a function of the ray and the primitive alone.
+    pub fn certificate(&self, ray: &Ray<R>, hit: &Candidate<R>) -> Certificate {
+        match self.geometry(hit.object) {
+            Geometry::Plane(plane) => certify_plane(ray, plane),
+            Geometry::Sphere(sphere) => certify_sphere(ray, sphere, hit.detail.start()),
+            Geometry::Box(aabb) => certify_box(ray, aabb, hit.detail.start()),
+            Geometry::Triangle(triangle) => certify_triangle(ray, triangle),
+            Geometry::Mesh(mesh) => certify_triangle(ray, mesh.triangle(hit.primitive)),
+        }
+    }
+
+    /// Whether the hit of a convex solid is where the ray's line leaves it for good, and nothing is inside beyond.
+    pub fn leaves_behind(&self, hit: &Candidate<R>) -> bool {
+        match hit.detail {
+            Detail::Sphere { t_in, t_out, near, .. } | Detail::Box { t_in, t_out, near, .. } => {
+                !near || !(t_in < t_out)
+            }
+            Detail::Plane | Detail::Triangle { .. } => false,
+        }
+    }
+}
+
+/// Whether this is a ray at all.
+#[inline(always)]
+fn is_ray<R: Real>(ray: &Ray<R>) -> bool {
+    // A sum of products with zero is zero for finite numbers and NaN for others.
+    let zero = R::Vec3::default();
+    ray.origin.dot(zero) + ray.direction.dot(zero) == R::ZERO && ray.direction != zero
+}
+
+fn geometry<R: Real>(shape: &Shape, growth: f64) -> Geometry<R> {
+    let point = |p: glam::DVec3| R::Vec3::from_f64(p.to_array());
+    match shape {
+        Shape::Sphere { center, radius } => {
+            Geometry::Sphere(Sphere { center: point(*center), radius: R::from_f64(*radius) })
+        }
+        Shape::Plane { normal, distance } => {
+            Geometry::Plane(Plane { normal: point(*normal), distance: R::from_f64(*distance) })
+        }
+        Shape::Box { min, max } => Geometry::Box(Aabb { min: point(*min), max: point(*max) }),
+        Shape::Triangle { vertices } => Geometry::Triangle(Triangle { vertices: vertices.map(point) }),
+        Shape::Mesh(mesh) => {
+            let triangles = mesh.triangles.iter().map(|vertices| Triangle { vertices: vertices.map(point) }).collect();
+            Geometry::Mesh(MeshGeometry::new(triangles, growth))
+        }
+    }
+}
+
+fn bounds<R: Real>(geometry: &Geometry<R>) -> Option<Bounds> {
+    match geometry {
+        Geometry::Sphere(sphere) => {
+            let (c, r) = (sphere.center.to_f64(), sphere.radius.to_f64());
+            Some(Bounds { min: c.map(|x| x - r), max: c.map(|x| x + r) })
+        }
+        Geometry::Plane(_) => None,
+        Geometry::Box(aabb) => Some(Bounds { min: aabb.min.to_f64(), max: aabb.max.to_f64() }),
+        Geometry::Triangle(triangle) => Some(Bounds::of::<R>(triangle.vertices)),
+        Geometry::Mesh(mesh) => Some(Bounds { min: mesh.aabb.min.to_f64(), max: mesh.aabb.max.to_f64() }),
+    }
+}
+
+fn plane_is_finite<R: Real>(geometry: &Geometry<R>) -> bool {
+    match geometry {
+        Geometry::Plane(plane) => plane.distance.is_finite(),
+        _ => true,
+    }
+}
+
+/// The unit normal `(v1 - v0) x (v2 - v0)`, computed in f64 so that no triangle is too small to have one.
+fn triangle_normal<R: Real>(triangle: &Triangle<R>) -> R::Vec3 {
+    let [v0, v1, v2] = triangle.vertices.map(|v| glam::DVec3::from_array(v.to_f64()));
+    unit::<R>((v1 - v0).cross(v2 - v0).to_array())
+}
+
+/// `v` at length 1, computed in f64; zero if `v` is.
+fn unit<R: Real>(v: [f64; 3]) -> R::Vec3 {
+    let v = glam::DVec3::from_array(v);
+    let largest = v.abs().max_element();
+    if largest == 0.0 {
+        return R::Vec3::default();
+    }
+    let scaled = v * libm::scalbn(1.0, -libm::ilogb(largest));
+    R::Vec3::from_f64((scaled / scaled.length()).to_array())
+}

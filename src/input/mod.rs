@@ -1,0 +1,9 @@
+//! Floor 2: reading text that a person wrote, with errors that say where, what, and what would be right.
+
+mod json;
+mod nearest;
+mod problem;
+
+pub use json::{JsonPath, Located, Named, Segment, read_json};
+pub use nearest::{nearest, one_of};
+pub use problem::Problem;

@@ -1,0 +1,28 @@
+//! How a verdict was reached, and by what margin.
+
+/// The arithmetic that settled a verdict, from the cheapest to the dearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// Plain `f64`: the value was larger than the bound on its error.
+    Filter,
+    /// Exact integers of up to 192 bits.
+    Integer,
+    /// Pairs of `f64`: the value was larger than the (much smaller) bound on its error.
+    DoubleDouble,
+    /// Exact sums of `f64`.
+    Expansion,
+}
+
+/// The stage that settled a verdict and the margin it had.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub struct Certificate {
+    /// The dearest stage that any sign in the verdict called for.
+    pub stage: Stage,
+    /// The smallest of the values whose signs make the verdict, as a multiple of the filter's bound on its error: above 1
+    /// the filter decides, 0 is an exact tie.
+    pub margin: f64,
+}

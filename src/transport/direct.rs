@@ -1,0 +1,161 @@
+//! The lecture's ComputeDirectLight: Phong's local terms, with one shadow ray a light.
+
+use glam::DVec3;
+
+use super::leaving::{Leaving, spawn};
+use super::recorder::{Children, Kind, LightTerm, Local, Outcome, Recorder, Secondary, Visit};
+use super::surface::Surface;
+use super::trace::{Budget, Path, Tracer};
+use crate::hits::Limit;
+use crate::kernels::Ray;
+use crate::numbers::{Real, Vector3};
+use crate::scene::effects::Effect;
+use crate::scene::{LightId, LightKind, Material, Pigment, Rgb, Shape, Specular};
+
+impl<R: Real> Tracer<'_, R> {
+    /// The local terms at `surface`, and the nodes of the shadow rays they took.
+    pub(super) fn direct_light<Rec: Recorder>(
+        &self,
+        path: Path<'_, R>,
+        surface: &Surface<R>,
+        budget: &mut Budget,
+        recorder: &Rec,
+    ) -> (Local, Vec<Rec::Node>) {
+        let object = self.scene().object(surface.hit.nearest.object);
+        let material = self.scene().material_of(surface.hit.nearest.object);
+        let color = self.color_at(material, &object.shape, surface);
+        let mut ambient = Rgb::ZERO;
+        if let Some(k) = material.ambient {
+            self.begin(Effect::Ambient);
+            ambient = k * color;
+        }
+        let mut local = Local { ambient, lights: Vec::new(), sum: ambient };
+        let mut nodes = Vec::new();
+        if !material.takes_direct_light() {
+            return (local, nodes);
+        }
+        for id in self.scene().light_ids() {
+            let Some((ray, t_max, cosine)) = self.shadow_ray(surface, id) else { continue };
+            self.begin(Effect::Shadows);
+            let (lit, node) = self.shadow(path, surface, id, &ray, t_max, budget, recorder);
+            let mut term = LightTerm { light: id, diffuse: Rgb::ZERO, specular: Rgb::ZERO };
+            if lit {
+                let light = self.scene().light(id).color;
+                if let Some(k) = material.diffuse {
+                    self.begin(Effect::Diffuse);
+                    term.diffuse = k * color * cosine * light;
+                }
+                if let Some(specular) = material.specular {
+                    self.begin(Effect::Specular);
+                    term.specular = highlight(specular, path.ray, surface, &ray) * light;
+                }
+            }
+            local.sum += term.diffuse + term.specular;
+            if Rec::RECORDS {
+                local.lights.push(term);
+            }
+            nodes.push(node);
+        }
+        (local, nodes)
+    }
+
+    /// The colour of the ambient and diffuse terms; not looked up where there are none.
+    fn color_at(&self, material: &Material, shape: &Shape, surface: &Surface<R>) -> Rgb {
+        if material.ambient.is_none() && material.diffuse.is_none() {
+            return Rgb::ZERO;
+        }
+        if let Pigment::Checker { .. } = material.pigment {
+            self.begin(Effect::Checker);
+        }
+        let in_plane = match shape {
+            Shape::Plane { normal, .. } => Some(*normal),
+            _ => None,
+        };
+        material.pigment.color(vector::<R>(surface.point), in_plane)
+    }
+
+    /// The ray to a light, where the light stops it, and the cosine to the normal.
+    ///
+    /// # None when
+    /// The surface faces away, or the light lies on it: at distance 0, or so far that the distance is not finite.
+    fn shadow_ray(&self, surface: &Surface<R>, id: LightId) -> Option<(Ray<R>, Option<f64>, f64)> {
+        let (direction, t_max) = match self.scene().light(id).kind {
+            LightKind::Directional { direction } => (R::Vec3::from_f64((-direction).to_array()), None),
+            LightKind::Point { position } => {
+                let to_light = R::Vec3::from_f64(position.to_array()) - surface.point;
+                let distance = to_light.dot(to_light).sqrt();
+                if !(distance > R::ZERO && distance.is_finite()) {
+                    return None;
+                }
+                let [x, y, z] = to_light.to_array();
+                (R::Vec3::new(x / distance, y / distance, z / distance), Some(distance.to_f64()))
+            }
+        };
+        let ray = spawn(surface.point, direction);
+        let cosine = vector::<R>(ray.direction).dot(vector::<R>(surface.shading_normal));
+        (cosine >= 0.0).then_some((ray, t_max, cosine))
+    }
+
+    /// Whether a light reaches the surface along `ray`.
+    #[allow(clippy::too_many_arguments, reason = "the state of the recursion, and a ray with its end")]
+    fn shadow<Rec: Recorder>(
+        &self,
+        path: Path<'_, R>,
+        surface: &Surface<R>,
+        light: LightId,
+        ray: &Ray<R>,
+        t_max: Option<f64>,
+        budget: &mut Budget,
+        recorder: &Rec,
+    ) -> (bool, Rec::Node) {
+        let limit = t_max.map_or(Limit::None, Limit::Below);
+        let mut visit = Visit {
+            tracer: self,
+            kind: Kind::Shadow(light),
+            depth: path.level,
+            weight: None,
+            ior: None,
+            ray,
+            t_max,
+            outcome: Outcome::RayBudget,
+            surface: None,
+            local: None,
+            radiance: None,
+            fresnel: None,
+            total_reflection: false,
+            probe: Rec::Probe::default(),
+        };
+        if !budget.take() {
+            return (false, recorder.node(visit, Children::none()));
+        }
+        let leaving = Leaving::new(self, path.ray, surface, ray.direction, Secondary::Reflected);
+        let departure = leaving.departure();
+        let blocker = if Rec::RECORDS {
+            visit.ior = Some(surface.ior[0].to_f64());
+            let hit = self.world().nearest(ray, limit, departure, &mut visit.probe);
+            hit.map(|hit| Surface::new(self, ray, hit, path.inside))
+        } else {
+            visit.outcome = if self.world().is_hit(ray, limit, departure) { Outcome::Blocked } else { Outcome::Lit };
+            None
+        };
+        if Rec::RECORDS {
+            visit.outcome = if blocker.is_some() { Outcome::Blocked } else { Outcome::Lit };
+        }
+        visit.surface = blocker.as_ref();
+        let lit = visit.outcome == Outcome::Lit;
+        (lit, recorder.node(visit, Children::none()))
+    }
+}
+
+/// Phong's `strength * max(0, r.v)^shininess`, `r` the light's direction mirrored at the normal, `v` back along the ray.
+fn highlight<R: Real>(specular: Specular, incident: &Ray<R>, surface: &Surface<R>, to_light: &Ray<R>) -> Rgb {
+    let (n, l) = (vector::<R>(surface.shading_normal), vector::<R>(to_light.direction));
+    let d = vector::<R>(incident.direction);
+    let r = n * (2.0 * n.dot(l)) - l;
+    let cosine = (-r.dot(d) / d.length()).max(0.0);
+    specular.strength * libm::pow(cosine, specular.shininess)
+}
+
+fn vector<R: Real>(v: R::Vec3) -> DVec3 {
+    DVec3::from_array(v.to_f64())
+}

@@ -1,0 +1,79 @@
+//! A hit made ready for shading.
+
+use super::media::Inside;
+use super::trace::Tracer;
+use crate::hits::{Detail, Hit};
+use crate::kernels::Ray;
+use crate::numbers::{Real, Vector3};
+use crate::scene::Shape;
+use crate::scene::effects::Effect;
+
+/// Which way a ray crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Against the outward normal: `d . n < 0`.
+    Entering,
+    /// Otherwise.
+    Leaving,
+}
+
+/// A hit made ready for shading.
+#[derive(Clone, Debug)]
+pub struct Surface<R: Real> {
+    /// The hit.
+    pub hit: Hit<R>,
+    /// Where, in world space.
+    pub point: R::Vec3,
+    /// Unit, outward, never flipped.
+    pub geometric_normal: R::Vec3,
+    /// Unit, turned towards the ray; interpolated on smooth meshes.
+    pub shading_normal: R::Vec3,
+    /// Nothing for lone triangles.
+    pub side: Option<Side>,
+    /// Index of refraction of the incident and of the transmitted side.
+    pub ior: [R; 2],
+    /// The media beyond.
+    pub beyond: Inside,
+}
+
+impl<R: Real> Surface<R> {
+    /// What `hit` is to a ray that comes from `inside`.
+    pub fn new(tracer: &Tracer<'_, R>, ray: &Ray<R>, hit: Hit<R>, inside: &Inside) -> Self {
+        let world = tracer.world();
+        let point = world.point(ray, &hit.nearest);
+        let geometric_normal = world.geometric_normal(point, &hit.nearest);
+        let shape = &tracer.scene().object(hit.nearest.object).shape;
+        let smooth = smooth_normal::<R>(shape, &hit);
+        if smooth.is_some() {
+            tracer.begin(Effect::SmoothNormals);
+        }
+        let toward = |n: R::Vec3| if ray.direction.dot(n) > R::ZERO { -n } else { n };
+        let side = match shape {
+            Shape::Triangle { .. } => None,
+            _ if ray.direction.dot(geometric_normal) < R::ZERO => Some(Side::Entering),
+            _ => Some(Side::Leaving),
+        };
+        let (beyond, mut ior) = if tracer.has_media() {
+            tracer.begin(Effect::Refraction);
+            let beyond = inside.after(tracer, ray, &hit);
+            let ior = [tracer.ior(inside), tracer.ior(&beyond)];
+            (beyond, ior)
+        } else {
+            (Inside::default(), [R::ONE; 2])
+        };
+        if let Some(coat) = tracer.clear_coat(hit.nearest.object) {
+            ior[1] = coat;
+        }
+        let shading_normal = toward(smooth.unwrap_or(geometric_normal));
+        Self { hit, point, geometric_normal, shading_normal, side, ior, beyond }
+    }
+}
+
+/// The unit normal interpolated from those at the corners, on a smooth mesh.
+fn smooth_normal<R: Real>(shape: &Shape, hit: &Hit<R>) -> Option<R::Vec3> {
+    let (Shape::Mesh(mesh), Detail::Triangle { barycentrics }) = (shape, hit.nearest.detail) else { return None };
+    let [n0, n1, n2] = mesh.corner_normals.as_ref()?[hit.nearest.primitive? as usize];
+    let [a, b, c] = barycentrics.map(Real::to_f64);
+    let normal = (n0 * a + n1 * b + n2 * c).try_normalize()?;
+    Some(R::Vec3::from_f64(normal.to_array()))
+}

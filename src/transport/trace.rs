@@ -1,0 +1,247 @@
+//! The lecture's recursion: Trace and Shade.
+
+use super::leaving::spawn;
+use super::media::Inside;
+use super::recorder::{Children, Kind, Off, Outcome, Recorder, Visit};
+use super::surface::Surface;
+use crate::hits::{Acceleration, Departure, Limit};
+use crate::kernels::Ray;
+use crate::numbers::{Real, Vector3};
+use crate::scene::effects::{Effect, EffectSet};
+use crate::scene::{Background, Limits, Numerics, ObjectId, Rgb, Scene};
+
+pub use crate::hits::World;
+
+/// How to trace, where it is not the scene that says so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// The kernels.
+    pub numerics: Numerics,
+    /// How candidates are found.
+    pub acceleration: Acceleration,
+    /// How the recursion ends.
+    pub limits: Limits,
+}
+
+impl Options {
+    /// What the scene asks for, and the usual for the rest.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            numerics: scene.numerics.unwrap_or_default(),
+            acceleration: Acceleration::default(),
+            limits: scene.limits,
+        }
+    }
+}
+
+/// A scene ready to be traced in one precision.
+#[derive(Debug)]
+pub struct Tracer<'s, R: Real> {
+    scene: &'s Scene,
+    world: World<R>,
+    limits: Limits,
+    /// Index of refraction of each object's inside.
+    iors: Vec<R>,
+    has_media: bool,
+    masked: EffectSet,
+}
+
+/// A ray on its way to be traced.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Path<'a, R: Real> {
+    pub(super) kind: Kind,
+    pub(super) level: u32,
+    pub(super) weight: Rgb,
+    pub(super) ray: &'a Ray<R>,
+    pub(super) departure: Departure<'a>,
+    pub(super) inside: &'a Inside,
+}
+
+/// The rays that a pixel may still take.
+#[derive(Debug)]
+pub(super) struct Budget(u64);
+
+impl Budget {
+    /// Takes one ray out, or says that none is left.
+    pub(super) fn take(&mut self) -> bool {
+        match self.0.checked_sub(1) {
+            Some(rest) => {
+                self.0 = rest;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
+impl<'s, R: Real> Tracer<'s, R> {
+    /// Makes `scene` ready.
+    ///
+    /// # Errors
+    /// The first object with a coordinate that is not finite in `R`.
+    pub fn new(scene: &'s Scene, options: Options) -> Result<Self, ObjectId> {
+        let ior = |id| scene.material_of(id).ior.map_or(R::ONE, R::from_f64);
+        Ok(Self {
+            scene,
+            world: World::new(scene, options.numerics, options.acceleration)?,
+            limits: options.limits,
+            iors: scene.object_ids().map(ior).collect(),
+            has_media: scene.object_ids().any(|id| scene.is_medium(id)),
+            masked: EffectSet::default(),
+        })
+    }
+
+    /// The same tracer with the code of some effects made to panic where it begins, in builds with debug assertions: that an
+    /// effect which nobody called for did not run is then more than a counter's word.
+    pub fn with_masked(mut self, effects: EffectSet) -> Self {
+        self.masked = effects;
+        self
+    }
+
+    /// Where the code of an effect begins.
+    #[inline(always)]
+    pub(super) fn begin(&self, effect: Effect) {
+        debug_assert!(!self.masked.contains(effect), "{effect} runs although it is masked");
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// Its geometry.
+    pub fn world(&self) -> &World<R> {
+        &self.world
+    }
+
+    /// How the recursion ends.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    /// Whether there is any medium but the surroundings.
+    #[inline(always)]
+    pub fn has_media(&self) -> bool {
+        self.has_media
+    }
+
+    /// Index of refraction where a ray is inside these media; 1 in none.
+    pub fn ior(&self, inside: &Inside) -> R {
+        inside.medium().map_or(R::ONE, |id| self.iors[id.0 as usize])
+    }
+
+    /// Index of refraction of the clear coat on an opaque object: it splits light, but no ray travels in it.
+    pub(super) fn clear_coat(&self, id: ObjectId) -> Option<R> {
+        let material = self.scene.material_of(id);
+        (material.fresnel.is_some() && material.transmission.is_none()).then(|| self.iors[id.0 as usize])
+    }
+
+    /// The lecture's ComputeRay and Trace for pixel `(x, y)`: its linear RGB, and what the recorder makes of it.
+    pub fn pixel<Rec: Recorder>(&self, x: u32, y: u32, recorder: &Rec) -> (Rgb, Rec::Node) {
+        let ray = self.scene.camera.ray(self.scene.image, x, y);
+        let convert = |v: glam::DVec3| R::Vec3::from_f64(v.to_array());
+        self.ray(&spawn(convert(ray.origin), convert(ray.direction)), recorder)
+    }
+
+    /// The colour of pixel `(x, y)`, nothing recorded.
+    pub fn pixel_color(&self, x: u32, y: u32) -> Rgb {
+        self.pixel(x, y, &Off).0
+    }
+
+    /// Traces a ray as if it came from the eye.
+    pub fn ray<Rec: Recorder>(&self, ray: &Ray<R>, recorder: &Rec) -> (Rgb, Rec::Node) {
+        let inside = if self.has_media { Inside::at_start(self.scene, &self.world, ray) } else { Inside::default() };
+        let path = Path {
+            kind: Kind::Camera,
+            level: 0,
+            weight: Rgb::ONE,
+            ray,
+            departure: Departure::default(),
+            inside: &inside,
+        };
+        let mut budget = Budget(self.limits.ray_budget);
+        budget.take();
+        self.trace(path, &mut budget, recorder)
+    }
+
+    /// The lecture's Trace: Intersect, then Shade or BackgroundColor.
+    pub(super) fn trace<Rec: Recorder>(
+        &self,
+        path: Path<'_, R>,
+        budget: &mut Budget,
+        recorder: &Rec,
+    ) -> (Rgb, Rec::Node) {
+        let mut probe = Rec::Probe::default();
+        match self.world.nearest(path.ray, Limit::None, path.departure, &mut probe) {
+            Some(hit) => {
+                let surface = Surface::new(self, path.ray, hit, path.inside);
+                self.shade(path, &surface, budget, recorder, probe)
+            }
+            None => {
+                if matches!(self.scene.background, Background::Gradient { .. }) {
+                    self.begin(Effect::Gradient);
+                }
+                let radiance = self.scene.background.color(glam::DVec3::from_array(path.ray.direction.to_f64()));
+                let visit = Visit {
+                    tracer: self,
+                    kind: path.kind,
+                    depth: path.level,
+                    weight: Some(path.weight),
+                    ior: Some(self.ior(path.inside).to_f64()),
+                    ray: path.ray,
+                    t_max: None,
+                    outcome: Outcome::Background,
+                    surface: None,
+                    local: None,
+                    radiance: Some(radiance),
+                    fresnel: None,
+                    total_reflection: false,
+                    probe,
+                };
+                (radiance, recorder.node(visit, Children::none()))
+            }
+        }
+    }
+
+    /// The lecture's Shade: direct light, plus what the reflected and the refracted ray bring back.
+    pub(super) fn shade<Rec: Recorder>(
+        &self,
+        path: Path<'_, R>,
+        surface: &Surface<R>,
+        budget: &mut Budget,
+        recorder: &Rec,
+        probe: Rec::Probe,
+    ) -> (Rgb, Rec::Node) {
+        let (local, shadows) = self.direct_light(path, surface, budget, recorder);
+        let split = self.split(path.ray, surface);
+        let mut color = local.sum;
+        let mut children = Children { shadows, reflected: None, refracted: None };
+        if let Some(way) = &split.reflected {
+            let (radiance, node) = self.secondary(path, surface, way, budget, recorder);
+            color += way.weight * radiance;
+            children.reflected = Some(node);
+        }
+        if let Some(way) = &split.refracted {
+            let (radiance, node) = self.secondary(path, surface, way, budget, recorder);
+            color += way.weight * radiance;
+            children.refracted = Some(node);
+        }
+        let visit = Visit {
+            tracer: self,
+            kind: path.kind,
+            depth: path.level,
+            weight: Some(path.weight),
+            ior: Some(surface.ior[0].to_f64()),
+            ray: path.ray,
+            t_max: None,
+            outcome: Outcome::Hit,
+            surface: Some(surface),
+            local: Some(local),
+            radiance: Some(color),
+            fresnel: split.fresnel,
+            total_reflection: split.total_reflection,
+            probe,
+        };
+        (color, recorder.node(visit, children))
+    }
+}

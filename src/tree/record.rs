@@ -1,0 +1,189 @@
+//! The recorder that keeps everything, and the tree it makes.
+
+use super::steps::TestRecord;
+use super::{
+    FORMAT, Generator, HitRecord, Kind, LightTerms, Local, Outcome, RayNode, RayTree, SceneRef, Settings, Side,
+};
+use crate::hits::{Detail, Probe, Tests};
+use crate::kernels::Ray;
+use crate::numbers::{Real, Vector3};
+use crate::scene::{Loaded, Numerics};
+use crate::transport::{self, Children, Recorder, Secondary, Surface, Tracer, Visit};
+
+/// What is kept of a ray besides the ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keep {
+    /// Its outcome.
+    #[default]
+    Outcomes,
+    /// Every test it took as well.
+    Steps,
+}
+
+/// Where a tree comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct Origin<'a> {
+    /// The scene, its file and its hash.
+    pub loaded: &'a Loaded,
+    /// What to keep.
+    pub keep: Keep,
+}
+
+/// The tree of pixel `(x, y)`, which has to lie inside the image to mean anything.
+pub fn record_pixel<R: Real>(tracer: &Tracer<'_, R>, origin: Origin<'_>, x: u32, y: u32) -> RayTree {
+    let (color, root) = match origin.keep {
+        Keep::Outcomes => tracer.pixel(x, y, &Outcomes),
+        Keep::Steps => tracer.pixel(x, y, &Steps),
+    };
+    tree(tracer, origin, Some([x, y]), color, *root)
+}
+
+/// The tree of any ray, traced as if it came from the eye.
+pub fn record_ray<R: Real>(tracer: &Tracer<'_, R>, origin: Origin<'_>, ray: &Ray<R>) -> RayTree {
+    let (color, root) = match origin.keep {
+        Keep::Outcomes => tracer.ray(ray, &Outcomes),
+        Keep::Steps => tracer.ray(ray, &Steps),
+    };
+    tree(tracer, origin, None, color, *root)
+}
+
+fn tree<R: Real>(
+    tracer: &Tracer<'_, R>,
+    origin: Origin<'_>,
+    pixel: Option<[u32; 2]>,
+    color: glam::DVec3,
+    root: RayNode,
+) -> RayTree {
+    let limits = tracer.limits();
+    RayTree {
+        format: FORMAT.to_owned(),
+        generator: Some(Generator {
+            name: env!("CARGO_PKG_NAME").to_owned(),
+            version: Some(env!("CARGO_PKG_VERSION").to_owned()),
+        }),
+        scene: Some(SceneRef { file: origin.loaded.file.clone(), sha256: Some(origin.loaded.sha256.clone()) }),
+        settings: Some(Settings {
+            precision: Some(R::PRECISION),
+            numerics: Some(tracer.world().numerics()),
+            max_depth: Some(limits.max_depth),
+            min_weight: limits.min_weight,
+            ray_budget: Some(limits.ray_budget),
+        }),
+        pixel,
+        color: color.to_array(),
+        rays: root.walk().filter(|node| node.outcome.is_traced()).count() as u64,
+        root,
+    }
+}
+
+/// Keeps every ray.
+struct Outcomes;
+
+impl Recorder for Outcomes {
+    type Probe = ();
+    type Node = Box<RayNode>;
+    const RECORDS: bool = true;
+    fn node<R: Real>(&self, visit: Visit<'_, R, ()>, children: Children<Box<RayNode>>) -> Box<RayNode> {
+        node(visit, children)
+    }
+}
+
+/// Keeps every ray and every test.
+struct Steps;
+
+impl Recorder for Steps {
+    type Probe = Tests;
+    type Node = Box<RayNode>;
+    const RECORDS: bool = true;
+    fn node<R: Real>(&self, mut visit: Visit<'_, R, Tests>, children: Children<Box<RayNode>>) -> Box<RayNode> {
+        let names = |id| visit.tracer.scene().object(id).name.clone();
+        let tests = std::mem::take(&mut visit.probe.0);
+        let tests = tests.into_iter().map(|test| TestRecord::new(test, names)).collect();
+        let traced = outcome(visit.outcome).is_traced();
+        let mut node = node(visit, children);
+        node.tests = traced.then_some(tests);
+        node
+    }
+}
+
+fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNode>>) -> Box<RayNode> {
+    let scene = visit.tracer.scene();
+    let (kind, light) = match visit.kind {
+        transport::Kind::Camera => (Kind::Camera, None),
+        transport::Kind::Shadow(light) => (Kind::Shadow, Some(scene.light(light).name.clone())),
+        transport::Kind::Secondary(Secondary::Reflected) => (Kind::Reflected, None),
+        transport::Kind::Secondary(Secondary::Refracted) => (Kind::Refracted, None),
+    };
+    let local = visit.local.map(|local| Local {
+        ambient: local.ambient.to_array(),
+        lights: local
+            .lights
+            .iter()
+            .map(|term| LightTerms {
+                light: scene.light(term.light).name.clone(),
+                diffuse: term.diffuse.to_array(),
+                specular: term.specular.to_array(),
+            })
+            .collect(),
+    });
+    let certificate = match (visit.surface, visit.tracer.world().numerics()) {
+        (Some(surface), Numerics::Certified) => Some(visit.tracer.world().certificate(visit.ray, &surface.hit.nearest)),
+        _ => None,
+    };
+    Box::new(RayNode {
+        kind,
+        light,
+        depth: visit.depth,
+        weight: visit.weight.map(|w| w.to_array()),
+        ior: visit.ior,
+        origin: visit.ray.origin.to_f64(),
+        direction: visit.ray.direction.to_f64(),
+        t_max: visit.t_max,
+        outcome: outcome(visit.outcome),
+        hit: visit.surface.map(|surface| hit(visit.tracer, surface)),
+        certificate,
+        local,
+        radiance: visit.radiance.map(|r| r.to_array()),
+        fresnel: visit.fresnel,
+        total_reflection: visit.total_reflection,
+        shadows: children.shadows.into_iter().map(|node| *node).collect(),
+        reflected: children.reflected,
+        refracted: children.refracted,
+        tests: None,
+    })
+}
+
+fn outcome(outcome: transport::Outcome) -> Outcome {
+    match outcome {
+        transport::Outcome::Hit => Outcome::Hit,
+        transport::Outcome::Background => Outcome::Background,
+        transport::Outcome::Lit => Outcome::Lit,
+        transport::Outcome::Blocked => Outcome::Blocked,
+        transport::Outcome::MaxDepth => Outcome::MaxDepth,
+        transport::Outcome::BelowMinWeight => Outcome::BelowMinWeight,
+        transport::Outcome::RayBudget => Outcome::RayBudget,
+    }
+}
+
+fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
+    let nearest = &surface.hit.nearest;
+    HitRecord {
+        // The number that the point was computed with.
+        t: R::from_f64(nearest.t).to_f64(),
+        point: surface.point.to_f64(),
+        object: Some(tracer.scene().object(nearest.object).name.clone()),
+        shape: nearest.object.0,
+        primitive: nearest.primitive,
+        barycentrics: match nearest.detail {
+            Detail::Triangle { barycentrics } => Some(barycentrics.map(Real::to_f64)),
+            _ => None,
+        },
+        geometric_normal: surface.geometric_normal.to_f64(),
+        shading_normal: Some(surface.shading_normal.to_f64()),
+        side: surface.side.map(|side| match side {
+            transport::Side::Entering => Side::Entering,
+            transport::Side::Leaving => Side::Leaving,
+        }),
+        ior: Some(surface.ior.map(Real::to_f64)),
+    }
+}
