@@ -139,6 +139,10 @@ fn reflectance<R: Real>(
         Fresnel::Exact => fresnel_exact::<f64>,
         Fresnel::Schlick => fresnel_schlick::<f64>,
     };
+    if incident == transmitted {
+        // Nothing parts the two sides; Schlick's formula alone would still reflect at grazing angles.
+        return Some(0.0);
+    }
     let Some(transmitted_direction) = transmitted_direction else { return Some(1.0) };
     let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
     let (d, n, through) = (vector(d), vector(n), vector(transmitted_direction));
