@@ -23,7 +23,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let tree = read_tree(shown, &text).map_err(Failure::Invalid)?;
         format!("{shown}: a valid tree of {} rays\n", tree.rays)
     } else {
-        let loaded = files::load_scene_text(&args.file, &text).map_err(Failure::Invalid)?;
+        let loaded = files::scene_of(&args.file, &text).map_err(Failure::Invalid)?;
         let scene = &loaded.scene;
         let (objects, lights, pixels) = (scene.objects.len(), scene.lights.len(), scene.pixels.len());
         format!("{shown}: a valid scene of {objects} objects, {lights} lights and {pixels} named pixels\n")

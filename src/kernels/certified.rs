@@ -16,6 +16,6 @@ pub struct Certified<H> {
     pub t_error: f64,
 }
 
-/// The largest relative error of `t`, 2^-36, that a filter's `t` is taken with; where the bound on it is worse the stages
-/// after the filter give a `t` that is good to a few ulp.
+/// The largest relative error of `t`, 2^-36, that a filter's `t` is taken with; where the bound on it is worse the
+/// stages after the filter give a `t` that is good to a few ulp.
 pub(crate) const FILTER_ACCURACY: f64 = 1.0 / (1u64 << 36) as f64;

@@ -1,10 +1,10 @@
 //! Floor 1: kernels. Pure functions of a ray and a shape, one file (or folder) a shape, generic over
 //! [`Real`](crate::numbers::Real).
 //!
-//! In every file the lecture's form stands first, its rivals after it, under one signature: `Ok` is a hit, `Err` says why
-//! there is none. The certified forms decide exactly, and say how well they know `t` ([`Certified`]); `certify_*` says how a hit
-//! was decided. `*_values` give a form's intermediate values for showing them. Nothing here knows of scenes, and nothing
-//! allocates but the exact stages that hardly a ray calls for.
+//! In every file the lecture's form stands first, its rivals after it, under one signature: `Ok` is a hit, `Err` says
+//! why there is none. The certified forms decide exactly, and say how well they know `t` ([`Certified`]); `certify_*`
+//! says how a hit was decided. `*_values` give a form's intermediate values for showing them. Nothing here knows of
+//! scenes, and nothing allocates but the exact stages that hardly a ray calls for.
 
 pub mod aabb;
 mod certified;
@@ -22,7 +22,9 @@ pub use aabb::{
 };
 pub use certified::Certified;
 pub use miss::Miss;
-pub use optics::{certify_total_reflection, is_total_reflection, reflect, refract};
+pub use optics::{
+    certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refraction_cosines,
+};
 pub use order::{Root, compare_t, compare_t_with};
 pub use plane::{
     Plane, PlaneHit, PlaneValues, certify_plane, intersect_plane_certified, intersect_plane_lecture, plane_values,

@@ -1,8 +1,10 @@
 //! Which of two surfaces a ray meets first, exactly.
 //!
-//! Along one ray, `t` at a flat surface is a fraction `P / Q` of exact numbers, and `t` at a sphere is `(-b -+ sqrt(disc)) / a` with
-//! `a = d.d` shared by all spheres. Comparing two of them is the sign of an expression with at most two square roots, found by squaring
-//! as often as there are roots. Numbers of any length ([`Wide`]) carry it through: no cap on precision, so that ties are ties.
+//! Along one ray, `t` at a flat surface is a fraction `P / Q` of exact numbers, and `t` at a sphere is
+//! `(-b -+ sqrt(disc)) / a` with
+//! `a = d.d` shared by all spheres. Comparing two of them is the sign of an expression with at most two square roots,
+//! found by squaring as often as there are roots. Numbers of any length ([`Wide`]) carry it through: no cap on
+//! precision, so that ties are ties.
 
 use std::cmp::Ordering;
 
@@ -31,8 +33,8 @@ pub enum Root<'a, R: Real> {
 ///
 /// # Ranges
 ///
-/// The line meets both surfaces (it is not parallel to a flat one, and no sphere's discriminant is negative); what comes back otherwise means
-/// nothing. Any sign of `t`.
+/// The line meets both surfaces (it is not parallel to a flat one, and no sphere's discriminant is negative); what
+/// comes back otherwise means nothing. Any sign of `t`.
 ///
 /// # Accuracy
 ///
@@ -66,8 +68,8 @@ pub fn compare_t<R: Real>(ray: &Ray<R>, a: Root<R>, b: Root<R>) -> Ordering {
 ///
 /// # Ranges
 ///
-/// The line meets the surface. `t` is any number but NaN, infinities included: 0 asks for the sign, `t_max` whether the root
-/// lies within a span.
+/// The line meets the surface. `t` is any number but NaN, infinities included: 0 asks for the sign, `t_max` whether
+/// the root lies within a span.
 ///
 /// # Example
 ///
@@ -88,7 +90,8 @@ pub fn compare_t_with<R: Real>(ray: &Ray<R>, root: Root<R>, t: f64) -> Ordering 
         .unwrap_or_else(|| exact_order(exact(ray, root), Exact::Fraction(Wide::number(t), Wide::number(1.0))))
 }
 
-/// The order of two numbers known to a bound on their errors, where that is enough. Never with an infinite bound, or NaN.
+/// The order of two numbers known to a bound on their errors, where that is enough. Never with an infinite bound, or
+/// NaN.
 fn clear_order((t_a, error_a): (f64, f64), (t_b, error_b): (f64, f64)) -> Option<Ordering> {
     // The difference and the sum round by u each; errors are bounds with room for that, but one may be zero.
     let (gap, bound) = (t_b - t_a, (error_a + error_b) * (1.0 + 4.0 * U));
@@ -191,7 +194,8 @@ fn exact_order(left: Exact, right: Exact) -> Ordering {
     sign.cmp(&0)
 }
 
-/// The sign of `p / q - (b + sign sqrt(disc)) / a`: that of `(p a - b q) - sign sqrt(q^2 disc)`, since q and a are positive.
+/// The sign of `p / q - (b + sign sqrt(disc)) / a`: that of `(p a - b q) - sign sqrt(q^2 disc)`, since q and a are
+/// positive.
 fn fraction_minus_root(p: Wide, q: Wide, b: Wide, sign: i32, disc: Wide, a: Wide) -> i32 {
     sign_with_root(p * a - b * q.clone(), -sign, q.clone() * q * disc)
 }

@@ -24,7 +24,8 @@ pub struct PlaneHit<R> {
 ///
 /// # Accuracy
 ///
-/// None to rely on where a scalar product cancels: a ray that is parallel but for rounding, an origin far out near the plane.
+/// None to rely on where a scalar product cancels: a ray that is parallel but for rounding, an origin far out near the
+/// plane.
 ///
 /// # Source
 ///
@@ -78,8 +79,8 @@ pub fn plane_values<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> PlaneValues<R> {
 ///
 /// # Source
 ///
-/// Bounds derived here. `n . d` rounds each of three products once and adds twice, so it is within `3 u (|n_x d_x| + ...)`; `D - n . o`
-/// has one rounding more and one term more, `4 u (|D| + |n_x o_x| + ...)`. The filter takes 4 and 5.
+/// Bounds derived here. `n . d` rounds each of three products once and adds twice, so it is within `3 u (|n_x d_x| +
+/// ...)`; `D - n . o` has one rounding more and one term more, `4 u (|D| + |n_x o_x| + ...)`. The filter takes 4 and 5.
 ///
 /// # Example
 ///
@@ -150,8 +151,8 @@ pub(crate) fn plane_terms<R: Real, T: Ring>(ray: &Ray<R>, plane: &Plane<R>) -> (
 
 /// Both terms with exact signs.
 ///
-/// The double-double bound: the products are exact, and each of the two or three sums adds `3 u^2` of the magnitudes: `6 u^2`
-/// and `9 u^2` of the sums of magnitudes. `8 u` times the filter's bounds is `32 u^2` and `40 u^2`.
+/// The double-double bound: the products are exact, and each of the two or three sums adds `3 u^2` of the magnitudes:
+/// `6 u^2` and `9 u^2` of the sums of magnitudes. `8 u` times the filter's bounds is `32 u^2` and `40 u^2`.
 fn known_terms<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> (Known, Known) {
     let filter = PlaneFilter::new(ray, plane);
     let (n_dot_d, height) = plane_terms::<R, DoubleDouble>(ray, plane);
@@ -201,5 +202,5 @@ pub fn certify_plane<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Certificate {
         return Certificate { stage: crate::numbers::Stage::Filter, margin };
     }
     let (n_dot_d, height) = known_terms(ray, plane);
-    Certificate { stage: n_dot_d.stage.max(height.stage), margin: margin_of(n_dot_d.value, height.value) }
+    Certificate::after_filter(n_dot_d.stage.max(height.stage), margin_of(n_dot_d.value, height.value))
 }

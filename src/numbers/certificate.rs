@@ -22,7 +22,15 @@ pub enum Stage {
 pub struct Certificate {
     /// The dearest stage that any sign in the verdict called for.
     pub stage: Stage,
-    /// The smallest of the values whose signs make the verdict, as a multiple of the filter's bound on its error: above 1
-    /// the filter decides, 0 is an exact tie.
+    /// The smallest of the values whose signs make the verdict, as a multiple of the filter's bound on its error:
+    /// above 1 the filter decides, 0 is an exact tie.
     pub margin: f64,
+}
+
+impl Certificate {
+    /// The certificate of a verdict that the filter left open. `margin` may come out a little above 1 where the value
+    /// is known better than the filter knew it; it is then 1.
+    pub(crate) fn after_filter(stage: Stage, margin: f64) -> Self {
+        Certificate { stage, margin: margin.min(1.0) }
+    }
 }

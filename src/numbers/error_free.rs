@@ -2,14 +2,15 @@
 //!
 //! # Ranges
 //!
-//! No overflow (magnitudes below 2^996 for products) and, for products, an exact result that is a multiple of 2^-1074. Numbers that
-//! [`is_in_range`](crate::numbers::is_in_range) accepts, their differences, and products of up to six of those are safe.
+//! No overflow (magnitudes below 2^996 for products) and, for products, an exact result that is a multiple of 2^-1074.
+//! Numbers that [`is_in_range`](crate::numbers::is_in_range) accepts, their differences, and products of up to six of
+//! those are safe.
 //!
 //! # Source
 //!
-//! Knuth, The Art of Computer Programming, vol. 2, 4.2.2 (`two_sum`); Dekker, A floating-point technique for extending the
-//! available precision, 1971 (`fast_two_sum`, `split`, `two_product`). No fused multiply-add: where the processor has none
-//! it is a slow call, and asking for it at run time gained nothing.
+//! Knuth, The Art of Computer Programming, vol. 2, 4.2.2 (`two_sum`); Dekker, A floating-point technique for extending
+//! the available precision, 1971 (`fast_two_sum`, `split`, `two_product`). No fused multiply-add: where the processor
+//! has none it is a slow call, and asking for it at run time gained nothing.
 
 /// `(s, e)` with `s = fl(a + b)` and `s + e = a + b` exactly.
 ///

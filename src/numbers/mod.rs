@@ -1,9 +1,9 @@
 //! Floor 0: numbers. Knows nothing of geometry.
 //!
-//! Besides the scalar [`Real`] here is what turns a rounded computation into a certain one, in the order of its cost: error-free
-//! transformations ([`error_free`]), exact integers where the coordinates fit ([`integers`]), pairs of `f64`
-//! ([`double_double`]), sums of any number of `f64` ([`expansion`]), and integers of any length ([`wide`]). The last four
-//! share the trait [`Ring`], so that a formula is written once for all of them.
+//! Besides the scalar [`Real`] here is what turns a rounded computation into a certain one, in the order of its cost:
+//! error-free transformations ([`error_free`]), exact integers where the coordinates fit ([`integers`]), pairs of `f64`
+//! ([`double_double`]), sums of any number of `f64` ([`expansion`]), and integers of any length ([`wide`]). The last
+//! four share the trait [`Ring`], so that a formula is written once for all of them.
 
 pub mod certificate;
 pub mod double_double;

@@ -10,9 +10,10 @@ pub(crate) const fn power_of_two(n: i32) -> f64 {
 
 /// Whether `x` may be stored: zero, or a multiple of 2^-178 of magnitude at most 2^128.
 ///
-/// Every finite `f32` is in range, its denormals too (they are multiples of 2^-149), and every `f64` from 2^-126 to 2^128 (it has
-/// 53 bits: `2^-126 * 2^-52`). A product of six such numbers, or of their differences, is below 2^774 and a multiple of
-/// 2^-1068: it neither overflows nor loses bits to underflow, nor do the error terms of [`two_product`].
+/// Every finite `f32` is in range, its denormals too (they are multiples of 2^-149), and every `f64` from 2^-126 to
+/// 2^128 (it has 53 bits: `2^-126 * 2^-52`). A product of six such numbers, or of their differences, is below 2^774
+/// and a multiple of 2^-1068: it neither overflows nor loses bits to underflow, nor do the error terms of
+/// [`two_product`].
 ///
 /// # Example
 ///
@@ -28,7 +29,8 @@ pub fn is_in_range(x: f64) -> bool {
     x.abs() <= power_of_two(128) && (x * power_of_two(178)).fract() == 0.0
 }
 
-/// `x`, or 0 where its magnitude is below 2^-126: what is done to the components of a spawned ray to keep them in range.
+/// `x`, or 0 where its magnitude is below 2^-126: what is done to the components of a spawned ray to keep them in
+/// range.
 ///
 /// # Example
 ///

@@ -41,8 +41,8 @@ pub fn dot<T: Ring>(x: &[T; 3], y: &[T; 3]) -> T {
 ///
 /// # Accuracy
 ///
-/// With [`DoubleDouble`] and rows of components at most X, Y, Z: within `150 u^2 X Y Z`. Each of the six products takes part in two
-/// multiplications (8 u^2 each), one difference and two sums (3 u^2 each): `6 * 25`.
+/// With [`DoubleDouble`] and rows of components at most X, Y, Z: within `150 u^2 X Y Z`. Each of the six products
+/// takes part in two multiplications (8 u^2 each), one difference and two sums (3 u^2 each): `6 * 25`.
 #[inline(always)]
 pub fn determinant<T: Ring>(x: &[T; 3], y: &[T; 3], z: &[T; 3]) -> T {
     let minor = |i: usize, j: usize| y[i].clone() * z[j].clone() - y[j].clone() * z[i].clone();
@@ -61,7 +61,8 @@ pub struct Known {
 }
 
 impl Known {
-    /// A relative error of 32 u = 2^-48 is good enough for a value; where it would be larger the exact stage gives the value.
+    /// A relative error of 32 u = 2^-48 is good enough for a value; where it would be larger the exact stage gives the
+    /// value.
     const ACCURATE: f64 = 32.0 * U;
 
     /// The number, its value within a few ulp: from `rough`, which is within `bound` of the truth, or from `exact`.
@@ -77,8 +78,8 @@ impl Known {
         }
     }
 
-    /// The number, its sign exact and its value as good as it comes: from `rough`, which is within `bound` of the truth, or,
-    /// where that leaves the sign open, from `exact`.
+    /// The number, its sign exact and its value as good as it comes: from `rough`, which is within `bound` of the
+    /// truth, or, where that leaves the sign open, from `exact`.
     #[inline(always)]
     pub fn decided(rough: DoubleDouble, bound: f64, exact: impl FnOnce() -> Expansion) -> Self {
         Known::from_double_double(rough, bound).unwrap_or_else(|| Known::exact(&exact()))

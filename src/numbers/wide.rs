@@ -8,12 +8,13 @@ use crate::numbers::error_free::two_diff;
 
 /// An exact number `+- limbs * 2^exponent`.
 ///
-/// Comparing the hits of two spheres takes polynomials of degree 8 and more in the coordinates, and those leave the range
-/// of `f64` exponents that [`Expansion`](crate::numbers::Expansion) lives in. Every finite `f64` is fine here.
+/// Comparing the hits of two spheres takes polynomials of degree 8 and more in the coordinates, and those leave the
+/// range of `f64` exponents that [`Expansion`](crate::numbers::Expansion) lives in. Every finite `f64` is fine here.
 ///
 /// # Source
 ///
-/// Schoolbook arithmetic in base 2^64 (Knuth, vol. 2, 4.3.1). Rays that meet two surfaces at nearly one `t` are rare enough.
+/// Schoolbook arithmetic in base 2^64 (Knuth, vol. 2, 4.3.1). Rays that meet two surfaces at nearly one `t` are rare
+/// enough.
 ///
 /// # Example
 ///

@@ -5,6 +5,8 @@
 
 mod camera;
 pub mod effects;
+#[cfg(feature = "files")]
+mod files;
 pub mod json;
 mod light;
 mod material;
@@ -17,6 +19,8 @@ use std::fmt;
 use glam::DVec3;
 
 pub use camera::{Camera, Resolution};
+#[cfg(feature = "files")]
+pub use files::{LARGEST_FILE, load_beside, load_file, open, read_text};
 pub use json::{Loaded, load};
 pub use light::{Light, LightKind};
 pub use material::{Fresnel, Material, Pigment, Specular};

@@ -12,6 +12,19 @@ use crate::numbers::{Real, Vector3};
 use crate::scene::effects::Effect;
 use crate::scene::{LightId, LightKind, Material, Pigment, Rgb, Shape, Specular};
 
+/// A ray to a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShadowRay<R: Real> {
+    /// The light.
+    pub light: LightId,
+    /// The ray, of length 1.
+    pub ray: Ray<R>,
+    /// The distance to the light; nothing if it is infinitely far away.
+    pub t_max: Option<f64>,
+    /// The cosine between the ray and the shading normal, 0 or larger.
+    pub cosine: f64,
+}
+
 impl<R: Real> Tracer<'_, R> {
     /// The local terms at `surface`, and the nodes of the shadow rays they took.
     pub(super) fn direct_light<Rec: Recorder>(
@@ -21,35 +34,21 @@ impl<R: Real> Tracer<'_, R> {
         budget: &mut Budget,
         recorder: &Rec,
     ) -> (Local, Vec<Rec::Node>) {
-        let object = self.scene().object(surface.hit.nearest.object);
         let material = self.scene().material_of(surface.hit.nearest.object);
-        let color = self.color_at(material, &object.shape, surface);
-        let mut ambient = Rgb::ZERO;
-        if let Some(k) = material.ambient {
-            self.begin(Effect::Ambient);
-            ambient = k * color;
-        }
+        let color = self.color_at(surface);
+        let ambient = self.ambient(material, color);
         let mut local = Local { ambient, lights: Vec::new(), sum: ambient };
         let mut nodes = Vec::new();
         if !material.takes_direct_light() {
             return (local, nodes);
         }
         for id in self.scene().light_ids() {
-            let Some((ray, t_max, cosine)) = self.shadow_ray(surface, id) else { continue };
-            self.begin(Effect::Shadows);
-            let (lit, node) = self.shadow(path, surface, id, &ray, t_max, budget, recorder);
-            let mut term = LightTerm { light: id, diffuse: Rgb::ZERO, specular: Rgb::ZERO };
-            if lit {
-                let light = self.scene().light(id).color;
-                if let Some(k) = material.diffuse {
-                    self.begin(Effect::Diffuse);
-                    term.diffuse = k * color * cosine * light;
-                }
-                if let Some(specular) = material.specular {
-                    self.begin(Effect::Specular);
-                    term.specular = highlight(specular, path.ray, surface, &ray) * light;
-                }
-            }
+            let Some(shadow_ray) = self.shadow_ray(surface, id) else { continue };
+            let (lit, node) = self.shadow(path, surface, &shadow_ray, budget, recorder);
+            let term = match lit {
+                true => self.light_term(path.ray, surface, color, &shadow_ray),
+                false => LightTerm { light: id, diffuse: Rgb::ZERO, specular: Rgb::ZERO },
+            };
             local.sum += term.diffuse + term.specular;
             if Rec::RECORDS {
                 local.lights.push(term);
@@ -59,27 +58,56 @@ impl<R: Real> Tracer<'_, R> {
         (local, nodes)
     }
 
-    /// The colour of the ambient and diffuse terms; not looked up where there are none.
-    fn color_at(&self, material: &Material, shape: &Shape, surface: &Surface<R>) -> Rgb {
+    /// The colour of the ambient and diffuse terms; black, and not looked up, where there are none.
+    pub fn color_at(&self, surface: &Surface<R>) -> Rgb {
+        let id = surface.hit.nearest.object;
+        let material = self.scene().material_of(id);
         if material.ambient.is_none() && material.diffuse.is_none() {
             return Rgb::ZERO;
         }
         if let Pigment::Checker { .. } = material.pigment {
             self.begin(Effect::Checker);
         }
-        let in_plane = match shape {
-            Shape::Plane { normal, .. } => Some(*normal),
+        let in_plane = match self.scene().object(id).shape {
+            Shape::Plane { normal, .. } => Some(normal),
             _ => None,
         };
         material.pigment.color(vector::<R>(surface.point), in_plane)
     }
 
-    /// The ray to a light, where the light stops it, and the cosine to the normal.
+    /// The ambient term.
+    pub fn ambient(&self, material: &Material, color: Rgb) -> Rgb {
+        match material.ambient {
+            Some(k) => {
+                self.begin(Effect::Ambient);
+                k * color
+            }
+            None => Rgb::ZERO,
+        }
+    }
+
+    /// The terms of a light that reaches the surface.
+    pub fn light_term(&self, incident: &Ray<R>, surface: &Surface<R>, color: Rgb, to: &ShadowRay<R>) -> LightTerm {
+        let material = self.scene().material_of(surface.hit.nearest.object);
+        let light = self.scene().light(to.light).color;
+        let mut term = LightTerm { light: to.light, diffuse: Rgb::ZERO, specular: Rgb::ZERO };
+        if let Some(k) = material.diffuse {
+            self.begin(Effect::Diffuse);
+            term.diffuse = k * color * to.cosine * light;
+        }
+        if let Some(specular) = material.specular {
+            self.begin(Effect::Specular);
+            term.specular = highlight(specular, incident, surface, &to.ray) * light;
+        }
+        term
+    }
+
+    /// The ray from a surface to a light.
     ///
     /// # None when
     /// The surface faces away, or the light lies on it: at distance 0, or so far that the distance is not finite.
-    fn shadow_ray(&self, surface: &Surface<R>, id: LightId) -> Option<(Ray<R>, Option<f64>, f64)> {
-        let (direction, t_max) = match self.scene().light(id).kind {
+    pub fn shadow_ray(&self, surface: &Surface<R>, light: LightId) -> Option<ShadowRay<R>> {
+        let (direction, t_max) = match self.scene().light(light).kind {
             LightKind::Directional { direction } => (R::Vec3::from_f64((-direction).to_array()), None),
             LightKind::Point { position } => {
                 let to_light = R::Vec3::from_f64(position.to_array()) - surface.point;
@@ -93,30 +121,29 @@ impl<R: Real> Tracer<'_, R> {
         };
         let ray = spawn(surface.point, direction);
         let cosine = vector::<R>(ray.direction).dot(vector::<R>(surface.shading_normal));
-        (cosine >= 0.0).then_some((ray, t_max, cosine))
+        (cosine >= 0.0).then_some(ShadowRay { light, ray, t_max, cosine })
     }
 
     /// Whether a light reaches the surface along `ray`.
-    #[allow(clippy::too_many_arguments, reason = "the state of the recursion, and a ray with its end")]
     fn shadow<Rec: Recorder>(
         &self,
         path: Path<'_, R>,
         surface: &Surface<R>,
-        light: LightId,
-        ray: &Ray<R>,
-        t_max: Option<f64>,
+        shadow_ray: &ShadowRay<R>,
         budget: &mut Budget,
         recorder: &Rec,
     ) -> (bool, Rec::Node) {
+        self.begin(Effect::Shadows);
+        let ShadowRay { light, ray, t_max, .. } = shadow_ray;
         let limit = t_max.map_or(Limit::None, Limit::Below);
         let mut visit = Visit {
             tracer: self,
-            kind: Kind::Shadow(light),
+            kind: Kind::Shadow(*light),
             depth: path.level,
             weight: None,
             ior: None,
             ray,
-            t_max,
+            t_max: *t_max,
             outcome: Outcome::RayBudget,
             surface: None,
             local: None,

@@ -8,8 +8,8 @@ use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3, flush_tiny};
 
 /// The surfaces that a new ray starts on.
-#[derive(Debug)]
-pub(super) struct Leaving {
+#[derive(Clone, Debug)]
+pub struct Leaving {
     first: [Left; 1],
     /// All of them, where there are several.
     several: Vec<Left>,
@@ -20,7 +20,7 @@ impl Leaving {
     ///
     /// Surfaces at exactly equal `t` are left together, as far as the ray stays on their near side (reflected), or passes
     /// them and they let it through (refracted). The others stand in its way and are tested as stored.
-    pub(super) fn new<R: Real>(
+    pub fn new<R: Real>(
         tracer: &Tracer<'_, R>,
         incident: &Ray<R>,
         surface: &Surface<R>,
@@ -45,7 +45,8 @@ impl Leaving {
         Self { first: [first], several }
     }
 
-    pub(super) fn departure(&self) -> Departure<'_> {
+    /// What a hit query asks for.
+    pub fn departure(&self) -> Departure<'_> {
         Departure(if self.several.is_empty() { &self.first } else { &self.several })
     }
 }
@@ -62,7 +63,7 @@ fn left<R: Real>(hit: &Candidate<R>, way: Secondary) -> Left {
 }
 
 /// The ray from `origin` towards `direction`, components below 2^-126 stored as 0, so that exact arithmetic stays exact.
-pub(super) fn spawn<R: Real>(origin: R::Vec3, direction: R::Vec3) -> Ray<R> {
+pub fn spawn<R: Real>(origin: R::Vec3, direction: R::Vec3) -> Ray<R> {
     let flush = |v: R::Vec3| R::Vec3::from_f64(v.to_f64().map(flush_tiny));
     Ray { origin: flush(origin), direction: flush(direction) }
 }

@@ -1,7 +1,7 @@
 //! The medium a ray is in: the solids that contain it, and what crossing a surface does to them.
 
-use super::trace::{Tracer, World};
-use crate::hits::{Candidate, Detail, Geometry, Hit};
+use super::trace::Tracer;
+use crate::hits::{Candidate, Detail, Geometry, Hit, World};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
 use crate::scene::{ObjectId, Scene};

@@ -11,7 +11,10 @@ mod secondary;
 mod surface;
 mod trace;
 
+pub use direct::ShadowRay;
+pub use leaving::{Leaving, spawn};
 pub use media::Inside;
 pub use recorder::{Children, Kind, LightTerm, Local, Off, Outcome, Recorder, Secondary, Visit};
+pub use secondary::{Split, Way};
 pub use surface::{Side, Surface};
-pub use trace::{Options, Tracer, World};
+pub use trace::{Options, Tracer};

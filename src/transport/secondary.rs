@@ -11,25 +11,32 @@ use crate::scene::effects::Effect;
 use crate::scene::{Fresnel, Material, Rgb};
 
 /// How a surface splits the light that comes along a ray.
-#[derive(Debug)]
-pub(super) struct Split<R: Real> {
-    pub(super) reflected: Option<Way<R>>,
-    pub(super) refracted: Option<Way<R>>,
-    pub(super) fresnel: Option<f64>,
-    pub(super) total_reflection: bool,
+#[derive(Clone, Debug)]
+pub struct Split<R: Real> {
+    /// Back from the surface, where the material asks for it or total reflection forces it.
+    pub reflected: Option<Way<R>>,
+    /// Through the surface, where the material asks for it and no total reflection forbids it.
+    pub refracted: Option<Way<R>>,
+    /// Fresnel reflectance, in [0, 1], where the material asks for it.
+    pub fresnel: Option<f64>,
+    /// Whether the surface reflects what it should let through.
+    pub total_reflection: bool,
 }
 
 /// A direction that light takes, and its share.
-#[derive(Debug)]
-pub(super) struct Way<R: Real> {
-    pub(super) kind: Secondary,
-    pub(super) direction: R::Vec3,
-    pub(super) weight: Rgb,
+#[derive(Clone, Debug)]
+pub struct Way<R: Real> {
+    /// Which of the two.
+    pub kind: Secondary,
+    /// As long as the incident ray's.
+    pub direction: R::Vec3,
+    /// The share of what comes along it that goes on along the incident ray.
+    pub weight: Rgb,
 }
 
 impl<R: Real> Tracer<'_, R> {
     /// How the material at `surface` splits the light.
-    pub(super) fn split(&self, ray: &Ray<R>, surface: &Surface<R>) -> Split<R> {
+    pub fn split(&self, ray: &Ray<R>, surface: &Surface<R>) -> Split<R> {
         let material = self.scene().material_of(surface.hit.nearest.object);
         let (d, n) = (ray.direction, surface.shading_normal);
         let [incident, transmitted] = surface.ior;

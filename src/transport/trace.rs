@@ -4,13 +4,11 @@ use super::leaving::spawn;
 use super::media::Inside;
 use super::recorder::{Children, Kind, Off, Outcome, Recorder, Visit};
 use super::surface::Surface;
-use crate::hits::{Acceleration, Departure, Limit};
+use crate::hits::{Acceleration, Departure, Limit, World};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
 use crate::scene::effects::{Effect, EffectSet};
 use crate::scene::{Background, Limits, Numerics, ObjectId, Rgb, Scene};
-
-pub use crate::hits::World;
 
 /// How to trace, where it is not the scene that says so.
 #[derive(Clone, Copy, Debug, PartialEq)]

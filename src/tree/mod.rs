@@ -276,6 +276,31 @@ pub struct LightTerms {
 }
 
 impl RayNode {
+    /// A ray with its outcome and nothing else; whoever emits a tree fills in what there is. Weight 1, but none for shadow rays.
+    pub fn new(kind: Kind, depth: u32, origin: [f64; 3], direction: [f64; 3], outcome: Outcome) -> Self {
+        Self {
+            kind,
+            light: None,
+            depth,
+            weight: (kind != Kind::Shadow).then_some([1.0; 3]),
+            ior: None,
+            origin,
+            direction,
+            t_max: None,
+            outcome,
+            hit: None,
+            certificate: None,
+            local: None,
+            radiance: None,
+            fresnel: None,
+            total_reflection: false,
+            shadows: Vec::new(),
+            reflected: None,
+            refracted: None,
+            tests: None,
+        }
+    }
+
     /// The children in the order in which they were traced: shadow rays, reflected, refracted.
     pub fn children(&self) -> impl Iterator<Item = &RayNode> {
         self.shadows.iter().chain(self.reflected.as_deref()).chain(self.refracted.as_deref())
@@ -294,7 +319,41 @@ impl RayNode {
     }
 }
 
+impl HitRecord {
+    /// A hit with what every hit has; whoever emits a tree fills in the rest.
+    pub fn new(t: f64, point: [f64; 3], shape: u32, geometric_normal: [f64; 3]) -> Self {
+        Self {
+            t,
+            point,
+            object: None,
+            shape,
+            primitive: None,
+            barycentrics: None,
+            geometric_normal,
+            shading_normal: None,
+            side: None,
+            ior: None,
+        }
+    }
+}
+
 impl RayTree {
+    /// The tree below `root`, of the linear RGB `color`, with its rays counted.
+    ///
+    /// # Example
+    /// Any renderer can put what it did into a tree, and keep the text as a snapshot:
+    /// ```
+    /// use raytree::tree::{HitRecord, Kind, Outcome, RayNode, RayTree, Show};
+    /// let mut root = RayNode::new(Kind::Camera, 0, [0.0, 0.0, -5.0], [0.0, 0.0, 1.0], Outcome::Hit);
+    /// root.hit = Some(HitRecord::new(4.0, [0.0, 0.0, -1.0], 0, [0.0, 0.0, -1.0]));
+    /// let tree = RayTree::new([0.5, 0.0, 0.0], root);
+    /// assert_eq!(tree.to_text(Show::default()).lines().next(), Some("ray   rgb 0.5 0 0   1 ray"));
+    /// ```
+    pub fn new(color: [f64; 3], root: RayNode) -> Self {
+        let rays = root.walk().filter(|node| node.outcome.is_traced()).count() as u64;
+        Self { format: FORMAT.to_owned(), generator: None, scene: None, settings: None, pixel: None, color, rays, root }
+    }
+
     /// The tree as JSON, indented; numbers are the shortest decimals that read back to the same bits.
     pub fn to_json(&self) -> String {
         // Writing plain data of finite numbers and string keys into memory cannot fail.

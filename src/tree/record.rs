@@ -1,9 +1,7 @@
 //! The recorder that keeps everything, and the tree it makes.
 
 use super::steps::TestRecord;
-use super::{
-    FORMAT, Generator, HitRecord, Kind, LightTerms, Local, Outcome, RayNode, RayTree, SceneRef, Settings, Side,
-};
+use super::{Generator, HitRecord, Kind, LightTerms, Local, Outcome, RayNode, RayTree, SceneRef, Settings, Side};
 use crate::hits::{Detail, Probe, Tests};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
@@ -55,24 +53,22 @@ fn tree<R: Real>(
     root: RayNode,
 ) -> RayTree {
     let limits = tracer.limits();
+    let generator =
+        Generator { name: env!("CARGO_PKG_NAME").to_owned(), version: Some(env!("CARGO_PKG_VERSION").to_owned()) };
+    let settings = Settings {
+        precision: Some(R::PRECISION),
+        numerics: Some(tracer.world().numerics()),
+        max_depth: Some(limits.max_depth),
+        min_weight: limits.min_weight,
+        ray_budget: Some(limits.ray_budget),
+    };
+    let scene = SceneRef { file: origin.loaded.file.clone(), sha256: Some(origin.loaded.sha256.clone()) };
     RayTree {
-        format: FORMAT.to_owned(),
-        generator: Some(Generator {
-            name: env!("CARGO_PKG_NAME").to_owned(),
-            version: Some(env!("CARGO_PKG_VERSION").to_owned()),
-        }),
-        scene: Some(SceneRef { file: origin.loaded.file.clone(), sha256: Some(origin.loaded.sha256.clone()) }),
-        settings: Some(Settings {
-            precision: Some(R::PRECISION),
-            numerics: Some(tracer.world().numerics()),
-            max_depth: Some(limits.max_depth),
-            min_weight: limits.min_weight,
-            ray_budget: Some(limits.ray_budget),
-        }),
+        generator: Some(generator),
+        scene: Some(scene),
+        settings: Some(settings),
         pixel,
-        color: color.to_array(),
-        rays: root.walk().filter(|node| node.outcome.is_traced()).count() as u64,
-        root,
+        ..RayTree::new(color.to_array(), root)
     }
 }
 

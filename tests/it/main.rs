@@ -1,1 +1,18 @@
 //! The one integration-test binary: a module a subject.
+
+mod bad_input;
+mod bits;
+mod commands;
+mod effects;
+mod fuzz;
+mod kernels;
+mod ledger;
+mod media;
+mod mesh;
+mod recursion;
+mod schemas;
+mod steps;
+mod support;
+mod tidiness;
+mod trees;
+mod users_snapshot;

@@ -3,14 +3,18 @@
 //! With `f = o - c`, `l = f x d`, `a = d.d`, `b = f.d`, `c = f.f - r^2`, `disc = r^2 a - l.l`:
 //!
 //! - there are roots exactly when `disc >= 0`;
-//! - `t_in t_out = c / a` and `t_in + t_out = -2 b / a`: given roots, `t_out >= 0` exactly when `c <= 0` or `b <= 0`, and
+//! - `t_in t_out = c / a` and `t_in + t_out = -2 b / a`: given roots, `t_out >= 0` exactly when `c <= 0` or `b <= 0`,
+//!   and
 //!   `t_in >= 0` exactly when `c >= 0` and `b <= 0`. Three signs make the verdict.
 //!
 //! # The filter's bounds, derived here
 //!
-//! - `l`: each of the six products rounds in f, in the product and in the difference, 3 u; as a vector the error is at most
-//!   `3 u sqrt(2) |f||d| < 4.25 u |f||d|`, since the sum of the squares of `|f_i d_j|`, `i != j`, is at most `|f|^2 |d|^2`.
-//! - `l.l`: `2 * 4.25 u |f||d||l| + (4.25 u |f||d|)^2` from l, `3 u |l|^2` from the scalar product. `r^2 a`: 5 roundings. The
+//! - `l`: each of the six products rounds in f, in the product and in the difference, 3 u; as a vector the error is at
+//!   most
+//!   `3 u sqrt(2) |f||d| < 4.25 u |f||d|`, since the sum of the squares of `|f_i d_j|`, `i != j`, is at most `|f|^2
+//! |d|^2`.
+//! - `l.l`: `2 * 4.25 u |f||d||l| + (4.25 u |f||d|)^2` from l, `3 u |l|^2` from the scalar product. `r^2 a`: 5
+//!   roundings. The
 //!   difference: `u (r^2 a + |l|^2)`. With `|l| <= |f||d|` in all: `6 u r^2 a + 12.5 u |f||d||l| + 19 u^2 |f|^2 |d|^2`.
 //!   The first test takes `|l| = |f||d|` and needs no root: `8 u r^2 a + 26 u |f|^2 a`.
 //!   Where the ray hits, `|l| <= r |d|`: `8 u r^2 a + 16 u r a |f| + 64 u^2 |f|^2 a`. This bounds the error of `t`.
@@ -32,18 +36,19 @@ use crate::numbers::{Certificate, DoubleDouble, Expansion, Known, Real, Ring, St
 ///
 /// # Ranges
 ///
-/// Numbers as in [`Certified`]. With [`Start::OnSurfaceInward`] only the far root counts, and whether it is there is decided for the
-/// ray as stored.
+/// Numbers as in [`Certified`]. With [`Start::OnSurfaceInward`] only the far root counts, and whether it is there is
+/// decided for the ray as stored.
 ///
 /// # Accuracy
 ///
 /// Verdict exact, tangents included. `t` as in [`Certified`]; `t_in` and `t_out` beside it are as good as the
-/// stable form in f64 makes them. Costs 1.0 to 1.1 of that form; grazing rays and origins on the surface four times that.
+/// stable form in f64 makes them. Costs about 1.2 of that form, most of it for `t_error`; grazing rays and origins on
+/// the surface, which the filter leaves open, cost many times that.
 ///
 /// # Source
 ///
-/// The discriminant and the stable roots: Haines, Günther and Akenine-Möller 2019. Bounds and stages derived here (see the
-/// head of this file).
+/// The discriminant and the stable roots: Haines, Günther and Akenine-Möller 2019. Bounds and stages derived here (see
+/// the head of this file).
 ///
 /// # Example
 ///
@@ -92,14 +97,15 @@ pub fn intersect_sphere_certified<R: Real>(
             let q = if b < 0.0 { root - b } else { -b - root };
             let (t0, t1) = (q / a, c / q);
             let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
-            // q sums two numbers of one sign; sqrt(disc) is off by disc's error over itself, and rounds. Then t0 divides by a (3 u), and
-            // t1 takes in the error of c; either quotient rounds. For b < 0 the far root is t0.
+            // q sums two numbers of one sign; sqrt(disc) is off by disc's error over itself. It rounds (u), and so
+            // does the sum (u); then t0 divides by a (3 u), and t1 takes in the error of c; either quotient rounds
+            // (u), which leaves 2 u for this bound. For b < 0 the far root is t0.
             let f_length = f_dot_f.sqrt();
             let disc_error = 8.0 * U * r_sq_a + 16.0 * U * r * a * f_length + 64.0 * U * U * f_sq_a;
-            let q_error = 8.0 * U * f_length * a.sqrt() + disc_error / root + U * root;
+            let q_error_times_root = 8.0 * U * f_length * a.sqrt() * root + disc_error;
             let c_error = if near == (b < 0.0) { c_bound / c.abs() } else { 0.0 };
             let t = if near { t_in } else { t_out };
-            let t_error = t * (q_error / q.abs() + c_error + 6.0 * U);
+            let t_error = t * (q_error_times_root / (root * q.abs()) + c_error + 8.0 * U);
             if t_error <= FILTER_ACCURACY * t {
                 let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
                 return Ok(Certified { hit, t, t_error });
@@ -224,8 +230,8 @@ impl KnownTerms {
         let near = c >= 0.0 && b <= 0.0 && start == Start::Anywhere;
         // The sum turns -0 into 0.
         let t = if near { t_in } else { t_out } + 0.0;
-        // q sums two numbers of one sign, so its relative error is at most the larger of theirs, and the root halves that of disc.
-        // The rest is a handful of roundings: the root, the sum, the quotient, 2 u in a.
+        // q sums two numbers of one sign, so its relative error is at most the larger of theirs, and the root halves
+        // that of disc. The rest is a handful of roundings: the root, the sum, the quotient, 2 u in a.
         let t_error = t * (self.b.relative_error + self.c.relative_error + self.disc.relative_error + 8.0 * U);
         let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
         Ok(Certified { hit, t, t_error })
@@ -240,9 +246,9 @@ fn undecided<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<
 
 /// How a *hit* of this ray and sphere was decided.
 ///
-/// The margin is the smallest of the terms over their bounds, counting those whose sign matters: `disc` always; for a ray from
-/// anywhere `c` (inside or outside), and `b` unless the origin is inside; for a ray that starts on the sphere and goes in, `b`
-/// or `c`, whichever says so more clearly.
+/// The margin is the smallest of the terms over their bounds, counting those whose sign matters: `disc` always; for a
+/// ray from anywhere `c` (inside or outside), and `b` unless the origin is inside; for a ray that starts on the sphere
+/// and goes in, `b` or `c`, whichever says so more clearly.
 ///
 /// # Example
 ///
@@ -265,7 +271,7 @@ pub fn certify_sphere<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -
         if margin(rough) > 1.0 {
             Certificate { stage: Stage::Filter, margin: margin(rough) }
         } else {
-            Certificate { stage: known.stage, margin: margin(known.value) }
+            Certificate::after_filter(known.stage, margin(known.value))
         }
     };
     let disc = certificate(rough.disc, known.disc, bounds.disc);

@@ -35,8 +35,8 @@ pub struct SphereHit<R> {
 ///
 /// # Accuracy
 ///
-/// None to rely on: `b^2 - 4 a c` is the difference of two squares of the distance. In f32, 43 % of the verdicts on a unit sphere at
-/// distance 4100 are wrong.
+/// None to rely on: `b^2 - 4 a c` is the difference of two squares of the distance. In f32, rays that pass a unit
+/// sphere 4100 away at a quarter of its radius hit it.
 ///
 /// # Source
 ///
@@ -111,13 +111,14 @@ pub fn sphere_naive_values<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>) -> SphereN
 ///
 /// # Accuracy
 ///
-/// The discriminant is a difference of squares of *small* lengths, the radius and the line's distance from the centre, and no root
-/// is a difference of nearly equal numbers. Grazing rays and origins on the surface are still decided by rounding.
+/// The discriminant is a difference of squares of *small* lengths, the radius and the line's distance from the centre,
+/// and no root is a difference of nearly equal numbers. Grazing rays and origins on the surface are still decided by
+/// rounding.
 ///
 /// # Source
 ///
-/// Haines, Günther and Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019, chapter 7
-/// (the discriminant after Hearn and Baker); here as `r^2 |d|^2 - |f x d|^2`, so that `d` need not be unit.
+/// Haines, Günther and Akenine-Möller, Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019,
+/// chapter 7 (the discriminant after Hearn and Baker); here as `r^2 |d|^2 - |f x d|^2`, so that `d` need not be unit.
 ///
 /// # Example
 ///

@@ -1,0 +1,15 @@
+//! Kernels against a referee that shares no code with them: rational arithmetic.
+//!
+//! Sets are random with fixed seeds. `cargo test kernels -- --nocapture` prints how often the floating-point forms are wrong.
+
+mod aabb;
+mod hard_cases;
+mod numbers;
+mod optics;
+mod order;
+mod plane;
+mod referee;
+mod sets;
+mod sphere;
+mod triangle;
+mod values;
