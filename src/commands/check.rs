@@ -1,7 +1,10 @@
 //! `raytree check`: is this file valid?
 
 use super::failure::Failure;
-use super::{files, output};
+use super::files;
+use super::output::Target;
+use crate::input::printable;
+use crate::scene::{Scene, Shape};
 use crate::tree::check::read_tree;
 
 /// Says whether a scene or a tree file is valid, and where not
@@ -17,18 +20,42 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = files::read_text(&args.file)?;
     let shown = files::shown(&args.file);
+    // What can be read but is no text has a place, and is as invalid as any other.
+    let text = files::read_text(&args.file).map_err(|problem| match problem.place {
+        Some(_) => Failure::Invalid(problem),
+        None => Failure::Input(problem),
+    })?;
     let said = if is_tree(&text) {
         let tree = read_tree(shown, &text).map_err(Failure::Invalid)?;
-        format!("{shown}: a valid tree of {} rays\n", tree.rays)
+        format!("{}: a valid tree of {}\n", printable(shown), count(tree.rays as usize, "ray"))
     } else {
         let loaded = files::scene_of(&args.file, &text).map_err(Failure::Invalid)?;
-        let scene = &loaded.scene;
-        let (objects, lights, pixels) = (scene.objects.len(), scene.lights.len(), scene.pixels.len());
-        format!("{shown}: a valid scene of {objects} objects, {lights} lights and {pixels} named pixels\n")
+        about(shown, &loaded.scene)
     };
-    output::write(None, said.as_bytes())
+    Target::Stdout.write_all(said.as_bytes())
+}
+
+fn about(shown: &str, scene: &Scene) -> String {
+    let objects = count(scene.objects.len(), "object");
+    let (lights, pixels) = (count(scene.lights.len(), "light"), count(scene.pixels.len(), "named pixel"));
+    let mut said = format!("{}: a valid scene of {objects}, {lights} and {pixels}\n", printable(shown));
+    for id in scene.object_ids() {
+        let object = scene.object(id);
+        if let (Shape::Mesh(mesh), true) = (&object.shape, scene.material_of(id).transmission.is_some())
+            && !mesh.closed
+        {
+            let name = printable(&object.name);
+            said += &format!(
+                "note: the mesh of \"{name}\" is not closed with all normals outward, so it bounds no medium\n"
+            );
+        }
+    }
+    said
+}
+
+fn count(n: usize, what: &str) -> String {
+    format!("{n} {what}{}", if n == 1 { "" } else { "s" })
 }
 
 /// Whether this is rather meant to be a tree than a scene.

@@ -3,7 +3,7 @@
 use clap::CommandFactory;
 
 use super::failure::Failure;
-use super::output;
+use super::output::Target;
 
 /// Prints the completions for a shell
 #[derive(Debug, clap::Args)]
@@ -17,5 +17,5 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut super::Cli::command(), "raytree", &mut script);
-    output::write(None, &script)
+    Target::Stdout.write_all(&script)
 }

@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::failure::Failure;
-use super::{files, output};
+use super::files;
+use super::output::Target;
+use crate::input::printable;
 use crate::scene::effects::{Asker, Effect, census};
 
 /// Lists the effects that a scene calls for, and which object asked for each
@@ -21,6 +23,7 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let target = Target::new(args.output.as_deref(), &[&args.scene])?;
     let loaded = files::load_scene(&args.scene)?;
     let census = census(&loaded.scene);
     let askers = |askers: &[Asker]| -> Vec<String> {
@@ -40,7 +43,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         let mut text = String::new();
         for (effect, who) in &census {
-            let names = askers(who).iter().map(|name| format!("{name:?}")).collect::<Vec<_>>();
+            let names = askers(who).iter().map(|name| format!("\"{}\"", printable(name))).collect::<Vec<_>>();
             writeln!(text, "{effect:<15} asked by {}", names.join(", ")).ok();
         }
         let off: Vec<_> = off.collect();
@@ -48,5 +51,5 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         writeln!(text, "{:<15} {off}", "not called for").ok();
         text
     };
-    output::write(args.output.as_deref(), text.as_bytes())
+    target.write_all(text.as_bytes())
 }

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, IsTerminal, Write};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
-use crate::input::Problem;
+use crate::input::{Place, Problem, printable};
 
 /// Why a command ends otherwise than well.
 #[derive(Debug)]
@@ -35,8 +35,20 @@ impl Failure {
     pub(super) fn from_write(what: &str, error: &std::io::Error) -> Self {
         match error.kind() {
             ErrorKind::BrokenPipe => Self::ClosedPipe,
-            _ => Self::Machine(format!("{what} cannot be written: {error}")),
+            // The message of a temporary file names that file, which nobody asked for.
+            _ => {
+                let why = error.raw_os_error().map_or_else(
+                    || error.kind().to_string(),
+                    |code| std::io::Error::from_raw_os_error(code).to_string(),
+                );
+                Self::Machine(format!("{what} cannot be written: {why}"))
+            }
         }
+    }
+
+    /// Says what is wrong and ends the program, where there is no way back: in the handler of a signal.
+    pub(super) fn exit(&self) -> ! {
+        std::process::exit(self.report().into())
     }
 
     /// Says what is wrong on standard error; the exit code.
@@ -45,7 +57,7 @@ impl Failure {
             Self::No => (1, None),
             Self::Invalid(problem) => (1, Some(draw(problem))),
             Self::Input(problem) => (2, Some(draw(problem))),
-            Self::Machine(message) => (3, Some(format!("error: {message}"))),
+            Self::Machine(message) => (3, Some(format!("error: {}", printable(message)))),
             Self::ClosedPipe => (0, None),
             Self::Interrupted => (130, Some("interrupted; nothing was written".to_owned())),
         };
@@ -57,8 +69,35 @@ impl Failure {
     }
 }
 
+/// The problem with nothing in it that would steer a terminal.
+fn printable_problem(problem: &Problem) -> Problem {
+    let clean = |text: &str| printable(text).into_owned();
+    Problem {
+        file: clean(&problem.file),
+        message: clean(&problem.message),
+        help: clean(&problem.help),
+        path: problem.path.as_deref().map(clean),
+        place: problem.place.as_ref().map(|place| {
+            // A tab is drawn as it should be; what steers becomes one sign, piece by piece, so that the span stays
+            // right.
+            let seen = |piece: &str| -> String {
+                piece
+                    .chars()
+                    .map(|c| if c != '\t' && printable(&c.to_string()) != c.to_string() { '\u{fffd}' } else { c })
+                    .collect()
+            };
+            let (before, rest) = place.text.split_at(place.span.start);
+            let (inside, after) = rest.split_at(place.span.len());
+            let (before, inside, after) = (seen(before), seen(inside), seen(after));
+            let span = before.len()..before.len() + inside.len();
+            Box::new(Place { text: before + &inside + &after, span, ..**place })
+        }),
+    }
+}
+
 /// The problem with its line underlined, in colour where standard error is a terminal that wants it.
 fn draw(problem: &Problem) -> String {
+    let problem = &printable_problem(problem);
     let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let renderer = match std::io::stderr().is_terminal() && !no_color {
         true => Renderer::styled(),

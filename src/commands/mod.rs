@@ -56,8 +56,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
             // Help and version are no errors: clap prints them on standard output, and the rest on standard error.
             let code = if error.use_stderr() { 2 } else { 0 };
             return match error.print() {
-                Ok(()) => code,
-                Err(error) => Failure::from_write("standard output", &error).report(),
+                Err(error) if code == 0 => Failure::from_write("standard output", &error).report(),
+                _ => code,
             };
         }
     };

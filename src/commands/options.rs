@@ -10,7 +10,7 @@ use crate::input::{Problem, nearest, one_of};
 use crate::kernels::Ray;
 use crate::numbers::{Precision, Real, Vector3, flush_tiny, is_in_range};
 use crate::scene::{Limits, Loaded, Numerics, Scene};
-use crate::transport::{Options, Tracer};
+use crate::transport::{Options, Tracer, Unfit};
 
 /// How to trace, where it is not the scene that says so.
 #[derive(Clone, Debug, clap::Args)]
@@ -26,7 +26,7 @@ pub(super) struct TraceArgs {
     #[arg(long, value_enum, default_value_t = AccelerationArg::Bvh)]
     acceleration: AccelerationArg,
     /// Depth of the recursion, 0 to 64 [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(..=i64::from(Limits::DEEPEST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = depths())]
     max_depth: Option<u32>,
 }
 
@@ -52,6 +52,15 @@ enum AccelerationArg {
     List,
     /// A bounding volume hierarchy
     Bvh,
+}
+
+fn depths() -> clap::builder::RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(..=i64::from(Limits::DEEPEST))
+}
+
+/// How many threads a command may be given.
+pub(super) fn thread_counts() -> clap::builder::RangedI64ValueParser<u16> {
+    clap::value_parser!(u16).range(1..=1024)
 }
 
 impl TraceArgs {
@@ -81,9 +90,15 @@ impl TraceArgs {
         if let Some(max_depth) = self.max_depth {
             options.limits.max_depth = max_depth;
         }
-        Tracer::new(&loaded.scene, options).map_err(|id| {
-            let message = format!("object {} ({:?}) does not fit in f32", id.0, loaded.scene.object(id).name);
-            Problem::new(&loaded.file, message, "coordinates below 3.4e38 in magnitude, or `--precision f64`").into()
+        Tracer::new(&loaded.scene, options).map_err(|unfit| {
+            let what = match unfit {
+                Unfit::Camera => "the camera's eye".to_owned(),
+                Unfit::Light(id) => format!("the light `{}`", loaded.scene.light(id).name),
+                Unfit::Object(id) => format!("the object `{}`", loaded.scene.object(id).name),
+            };
+            let message = format!("{what} is too far out for {}", R::PRECISION);
+            let help = format!("coordinates up to {:e} in magnitude, or `--precision f64`", largest::<R>());
+            Problem::new(&loaded.file, message, help).into()
         })
     }
 }
@@ -135,19 +150,30 @@ pub(super) fn parse_vector(what: &str, word: &str) -> Result<[f64; 3], Failure> 
     Ok(vector)
 }
 
+/// The largest coordinate of a scene in precision `R`.
+fn largest<R: Real>() -> f64 {
+    R::PRECISION.largest_coordinate()
+}
+
 /// The ray from `origin` towards `direction` in precision `R`.
 pub(super) fn make_ray<R: Real>(origin: &str, direction: &str) -> Result<Ray<R>, Failure> {
-    let origin = parse_vector("ORIGIN", origin)?;
-    let direction = parse_vector("DIRECTION", direction)?.map(flush_tiny);
-    let ray = Ray::<R> { origin: R::Vec3::from_f64(origin), direction: R::Vec3::from_f64(direction) };
-    if ray.direction == R::Vec3::default() {
-        return Err(Problem::new("DIRECTION", "a direction of length zero", "any other vector").into());
+    let (origin, direction) = (parse_vector("ORIGIN", origin)?, parse_vector("DIRECTION", direction)?);
+    for (what, vector) in [("ORIGIN", origin), ("DIRECTION", direction)] {
+        if let Some(x) = vector.iter().find(|x| x.abs() > largest::<R>()) {
+            let message = format!("{x:?} is too large for {}", R::PRECISION);
+            let help = format!("up to {:e} in magnitude, or `--precision f64`", largest::<R>());
+            return Err(Problem::new(what, message, help).into());
+        }
     }
-    let finite = ray.origin.to_f64().iter().chain(&ray.direction.to_f64()).all(|x| x.is_finite());
-    if !finite {
-        return Err(Problem::new("ORIGIN", "the ray does not fit in f32", "below 3.4e38, or `--precision f64`").into());
+    let longest = direction.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+    if longest < R::PRECISION.smallest_direction() {
+        let message =
+            if longest == 0.0 { "a direction of length zero" } else { "a direction too short to compute with" };
+        let help = format!("a component of {:e} or more in magnitude", R::PRECISION.smallest_direction());
+        return Err(Problem::new("DIRECTION", message, help).into());
     }
-    Ok(ray)
+    let direction = direction.map(flush_tiny);
+    Ok(Ray { origin: R::Vec3::from_f64(origin), direction: R::Vec3::from_f64(direction) })
 }
 
 /// Keeps a vector that begins with a minus sign from being read as an option, by a space that [`parse_vector`] drops.

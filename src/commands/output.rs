@@ -1,47 +1,111 @@
 //! Results that are written: to standard output, or whole to a file, or not at all.
 
 use std::fs::{self, File};
-use std::io::{self, Write};
-use std::path::Path;
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use crate::input::Problem;
 
-/// Writes a result to `file`, or to standard output where there is none or it is `-`.
-pub(super) fn write(file: Option<&str>, bytes: &[u8]) -> Result<(), Failure> {
-    match file {
-        None | Some("-") => {
-            let mut out = io::stdout().lock();
-            out.write_all(bytes).and_then(|()| out.flush()).map_err(|e| Failure::from_write("standard output", &e))
+/// What writes a result.
+type Writer<'a> = dyn FnOnce(&mut dyn Write) -> io::Result<()> + 'a;
+
+/// Where a result goes, looked at before any work is done for it.
+#[derive(Debug)]
+pub(super) enum Target {
+    /// Standard output.
+    Stdout,
+    /// A file that is written under a temporary name beside it, then renamed.
+    File(PathBuf),
+    /// A device or a pipe, written to as it is.
+    Device(PathBuf),
+}
+
+impl Target {
+    /// The target that an argument names: nothing and `-` are standard output. `inputs` are files that must stay as
+    /// they are.
+    ///
+    /// # Errors
+    /// A folder that is not there or is itself the target; a target that is one of the inputs.
+    pub(super) fn new(file: Option<&str>, inputs: &[&str]) -> Result<Self, Failure> {
+        let Some(file) = file.filter(|file| *file != "-") else { return Ok(Self::Stdout) };
+        let path = Path::new(file);
+        let cannot = |why: &str| Failure::Machine(format!("{file} cannot be written: {why}"));
+        let same =
+            |input: &&str| fs::canonicalize(input).is_ok_and(|input| fs::canonicalize(path).is_ok_and(|p| p == input));
+        if let Some(input) = inputs.iter().find(|input| same(input)) {
+            let message = format!("the result would overwrite {input}, which it is made from");
+            return Err(Problem::new(file, message, "another name").into());
         }
-        Some(file) => write_file(Path::new(file), bytes).map_err(|e| Failure::from_write(file, &e)),
+        match fs::metadata(path) {
+            Ok(data) if data.is_dir() => Err(cannot("it is a directory")),
+            // A link stays, and what it leads to is replaced.
+            Ok(data) if data.is_file() => Ok(Self::File(fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()))),
+            Ok(_) => Ok(Self::Device(path.to_owned())),
+            Err(_) if file.is_empty() || file.ends_with('/') => Err(cannot("it names no file")),
+            Err(_) if !folder_of(path).is_dir() => {
+                Err(cannot(&format!("there is no folder {}", folder_of(path).display())))
+            }
+            Err(_) => Ok(Self::File(path.to_owned())),
+        }
+    }
+
+    /// Whether both write to the same place.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Stdout, Self::Stdout) => true,
+            (Self::File(a), Self::File(b)) | (Self::Device(a), Self::Device(b)) => a == b,
+            _ => false,
+        }
+    }
+
+    /// Writes a result.
+    pub(super) fn write(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let name = match self {
+            Self::Stdout => "standard output".to_owned(),
+            Self::File(path) | Self::Device(path) => path.display().to_string(),
+        };
+        let write: Box<Writer<'_>> = Box::new(write);
+        let written = match self {
+            Self::Stdout => buffered(io::stdout().lock(), write),
+            Self::Device(path) => File::options().write(true).open(path).and_then(|file| buffered(file, write)),
+            Self::File(path) => write_file(path, write),
+        };
+        written.map_err(|error| Failure::from_write(&name, &error))
+    }
+
+    /// Writes bytes.
+    pub(super) fn write_all(&self, bytes: &[u8]) -> Result<(), Failure> {
+        self.write(|out| out.write_all(bytes))
+    }
+}
+
+fn buffered(out: impl Write, write: Box<Writer<'_>>) -> io::Result<()> {
+    let mut out = BufWriter::with_capacity(1 << 16, out);
+    write(&mut out)?;
+    out.flush()
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
     }
 }
 
 /// Writes under a temporary name beside the file, then renames: the file is whole, or as it was.
-fn write_file(file: &Path, bytes: &[u8]) -> io::Result<()> {
-    // A device or a pipe is written to as it is; a link's target is what is replaced.
-    let target = match fs::metadata(file) {
-        Ok(data) if data.is_file() => fs::canonicalize(file)?,
-        Ok(data) if data.is_dir() => return Err(io::Error::other("it is a directory")),
-        Ok(_) => return File::options().write(true).open(file)?.write_all(bytes),
-        Err(_) => file.to_owned(),
-    };
-    let folder = match target.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
+fn write_file(target: &Path, write: Box<Writer<'_>>) -> io::Result<()> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".raytree-");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
         // What a new file gets, less the user's mask; an existing one keeps what it has.
-        let mode = fs::metadata(&target).map_or(0o666, |data| data.permissions().mode());
+        let mode = fs::metadata(target).map_or(0o666, |data| data.permissions().mode());
         builder.permissions(fs::Permissions::from_mode(mode));
     }
-    let mut temporary = builder.tempfile_in(folder)?;
-    temporary.write_all(bytes)?;
-    temporary.flush()?;
-    temporary.persist(&target).map_err(|error| error.error)?;
+    let temporary = builder.tempfile_in(folder_of(target))?;
+    buffered(&temporary, write)?;
+    temporary.persist(target).map_err(|error| error.error)?;
     Ok(())
 }

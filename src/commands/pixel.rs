@@ -1,8 +1,10 @@
 //! `raytree pixel`: one pixel's recursion.
 
 use super::failure::Failure;
-use super::options::{TraceArgs, find_pixel};
-use super::{files, output, render};
+use super::options::{TraceArgs, find_pixel, thread_counts};
+use super::output::Target;
+use super::{files, render};
+use crate::input::Problem;
 use crate::numbers::{Precision, Real};
 use crate::scene::Loaded;
 use crate::tree::{Keep, Ledger, Origin, RayTree, Show, record_pixel};
@@ -24,7 +26,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     render: Option<String>,
     /// Threads to trace the picture on [default: one a core]
-    #[arg(long, value_name = "N", requires = "render", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", requires = "render", allow_negative_numbers = true, value_parser = thread_counts())]
     threads: Option<u16>,
     #[command(flatten)]
     trace: TraceArgs,
@@ -56,36 +58,58 @@ impl ShowArgs {
         if self.steps { Keep::Steps } else { Keep::Outcomes }
     }
 
+    /// Where the tree goes.
+    pub(super) fn target(&self, scene: &str) -> Result<Target, Failure> {
+        Target::new(self.output.as_deref(), &[scene])
+    }
+
     /// Writes the tree.
-    pub(super) fn write(&self, tree: &RayTree, name: Option<&str>) -> Result<(), Failure> {
-        let ledger = self.ledger.then(|| Ledger::of(tree));
-        let text = match (&ledger, self.json) {
-            (Some(ledger), true) => ledger.to_json(),
-            (Some(ledger), false) => ledger.to_string(),
-            (None, true) => tree.to_json(),
-            (None, false) => tree.to_text(Show { name, certificates: self.certificates }),
-        };
-        output::write(self.output.as_deref(), text.as_bytes())?;
-        match ledger {
-            Some(ledger) if !ledger.balances() => Err(Failure::No),
-            _ => Ok(()),
+    pub(super) fn write(&self, target: &Target, tree: &RayTree, name: Option<&str>) -> Result<(), Failure> {
+        if self.ledger {
+            let ledger = Ledger::of(tree);
+            let text = if self.json { ledger.to_json() } else { ledger.to_string() };
+            target.write_all(text.as_bytes())?;
+            return if ledger.balances() { Ok(()) } else { Err(Failure::No) };
+        }
+        match self.json {
+            true => target.write(|out| tree.write_json(out)),
+            false => target.write_all(tree.to_text(Show { name, certificates: self.certificates }).as_bytes()),
         }
     }
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let format = args.render.as_deref().map(render::format_of).transpose()?;
+    let target = args.show.target(&args.scene)?;
+    let picture = match &args.render {
+        None => None,
+        Some(file) => {
+            let format = render::format_of(file)?;
+            let picture = Target::new(Some(file), &[&args.scene])?;
+            if picture.is_same(&target) {
+                let message = "the tree and the picture would go to the same place";
+                return Err(
+                    Problem::new(file, message, "two different files, or one of them on standard output").into()
+                );
+            }
+            Some((format, picture))
+        }
+    };
     let loaded = files::load_scene(&args.scene)?;
     let ([x, y], name) = find_pixel(&loaded.scene, &args.pixel)?;
     let tree = match args.trace.precision(&loaded.scene) {
         Precision::F32 => record::<f32>(&loaded, args, x, y)?,
         Precision::F64 => record::<f64>(&loaded, args, x, y)?,
     };
-    args.show.write(&tree, name)?;
-    if let (Some(file), Some(format)) = (&args.render, format) {
-        render::write_picture(&loaded, &args.trace, args.threads, format, file)?;
+    // All work before the first result: whoever interrupts it gets none.
+    let picture = match picture {
+        None => None,
+        Some((format, target)) => Some((target, render::picture(&loaded, &args.trace, args.threads, format)?)),
+    };
+    args.show.write(&target, &tree, name)?;
+    match picture {
+        None => Ok(()),
+        Some((target, bytes)) => target.write_all(&bytes),
     }
-    Ok(())
 }
 
 fn record<R: Real>(loaded: &Loaded, args: &Args, x: u32, y: u32) -> Result<RayTree, Failure> {

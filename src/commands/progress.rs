@@ -7,13 +7,29 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::failure::Failure;
 
+/// Set by Ctrl-C; looked at by work that can stop in the middle.
 static STOP: AtomicBool = AtomicBool::new(false);
+/// Whether such work is going on.
+static LOOKING: AtomicBool = AtomicBool::new(false);
 
-/// A flag that Ctrl-C sets from now on, instead of ending the program.
-pub(super) fn stop_flag() -> &'static AtomicBool {
-    // Only the first call installs the handler; that a second one fails is as it should be.
-    ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed)).ok();
-    &STOP
+/// Runs work that looks at the flag it is given; Ctrl-C sets the flag meanwhile, and ends the program at once at other
+/// times.
+pub(super) fn stoppable<T>(work: impl FnOnce(&AtomicBool) -> Option<T>) -> Result<T, Failure> {
+    // Only the first call installs the handler; that a later one fails is as it should be.
+    ctrlc::set_handler(|| {
+        STOP.store(true, Ordering::SeqCst);
+        if !LOOKING.load(Ordering::SeqCst) {
+            Failure::Interrupted.exit();
+        }
+    })
+    .ok();
+    LOOKING.store(true, Ordering::SeqCst);
+    let done = work(&STOP);
+    LOOKING.store(false, Ordering::SeqCst);
+    match done {
+        Some(done) if !STOP.load(Ordering::SeqCst) => Ok(done),
+        _ => Err(Failure::Interrupted),
+    }
 }
 
 /// A bar over `steps` steps; invisible unless standard error is a terminal.

@@ -27,12 +27,13 @@ pub(super) struct Args {
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let target = args.show.target(&args.scene)?;
     let loaded = files::load_scene(&args.scene)?;
     let tree = match args.trace.precision(&loaded.scene) {
         Precision::F32 => record::<f32>(&loaded, args)?,
         Precision::F64 => record::<f64>(&loaded, args)?,
     };
-    args.show.write(&tree, None)
+    args.show.write(&target, &tree, None)
 }
 
 fn record<R: Real>(loaded: &Loaded, args: &Args) -> Result<RayTree, Failure> {

@@ -1,8 +1,9 @@
 //! `raytree render`: the picture.
 
 use super::failure::Failure;
-use super::options::TraceArgs;
-use super::{files, output, progress};
+use super::options::{TraceArgs, thread_counts};
+use super::output::Target;
+use super::{files, progress};
 use crate::input::Problem;
 use crate::numbers::{Precision, Real};
 use crate::pictures::{self, Format};
@@ -18,7 +19,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: String,
     /// Threads to trace on [default: one a core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = thread_counts())]
     threads: Option<u16>,
     #[command(flatten)]
     trace: TraceArgs,
@@ -26,8 +27,9 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let format = format_of(&args.output)?;
+    let target = Target::new(Some(&args.output), &[&args.scene])?;
     let loaded = files::load_scene(&args.scene)?;
-    write_picture(&loaded, &args.trace, args.threads, format, &args.output)
+    target.write_all(&picture(&loaded, &args.trace, args.threads, format)?)
 }
 
 /// The format of a picture's file name; standard output takes PNG.
@@ -39,19 +41,17 @@ pub(super) fn format_of(file: &str) -> Result<Format, Failure> {
     })
 }
 
-/// Traces the scene and writes its picture.
-pub(super) fn write_picture(
+/// The bytes of the scene's picture.
+pub(super) fn picture(
     loaded: &Loaded,
     trace: &TraceArgs,
     threads: Option<u16>,
     format: Format,
-    file: &str,
-) -> Result<(), Failure> {
-    let bytes = match trace.precision(&loaded.scene) {
-        Precision::F32 => encode::<f32>(loaded, trace, threads, format)?,
-        Precision::F64 => encode::<f64>(loaded, trace, threads, format)?,
-    };
-    output::write(Some(file), &bytes)
+) -> Result<Vec<u8>, Failure> {
+    match trace.precision(&loaded.scene) {
+        Precision::F32 => encode::<f32>(loaded, trace, threads, format),
+        Precision::F64 => encode::<f64>(loaded, trace, threads, format),
+    }
 }
 
 fn encode<R: Real>(
@@ -61,9 +61,9 @@ fn encode<R: Real>(
     format: Format,
 ) -> Result<Vec<u8>, Failure> {
     let tracer = trace.tracer::<R>(loaded)?;
-    let stop = progress::stop_flag();
     let bar = progress::bar("tracing", loaded.scene.image.height.into());
-    let film = progress::on_threads(threads, || pictures::render(&tracer, &|| bar.inc(1), stop))?;
+    let film =
+        progress::on_threads(threads, || progress::stoppable(|stop| pictures::render(&tracer, &|| bar.inc(1), stop)))??;
     bar.finish_and_clear();
-    film.ok_or(Failure::Interrupted)?.encode(format).map_err(Failure::Machine)
+    film.encode(format).map_err(Failure::Machine)
 }

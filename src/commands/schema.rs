@@ -1,7 +1,7 @@
 //! `raytree schema`: the JSON Schemas.
 
 use super::failure::Failure;
-use super::output;
+use super::output::Target;
 use crate::scene::json::SceneFile;
 use crate::tree::RayTree;
 
@@ -30,5 +30,5 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Of::Scene => SceneFile::schema(),
         Of::Tree => RayTree::schema(),
     };
-    output::write(args.output.as_deref(), format!("{:#}\n", schema.as_value()).as_bytes())
+    Target::new(args.output.as_deref(), &[])?.write_all(format!("{:#}\n", schema.as_value()).as_bytes())
 }

@@ -93,8 +93,8 @@ impl Bvh {
 
     /// Walks the nodes whose box the ray enters, the nearer child first.
     ///
-    /// `enter(place, visit, bounds)` is shown every box whose turn comes, so that it judges it by the best hit so far, and says
-    /// whether to go on inside; for a leaf it does what is to be done with the item.
+    /// `enter(place, visit, bounds)` is shown every box whose turn comes, so that it judges it by the best hit so far,
+    /// and says whether to go on inside; for a leaf it does what is to be done with the item.
     #[inline(always)]
     pub fn walk(&self, ray: &SlabRay, mut enter: impl FnMut(u32, Visit, &Bounds) -> bool) {
         if self.nodes.is_empty() {
@@ -121,7 +121,8 @@ impl Bvh {
         }
     }
 
-    /// Whether the middle of node `a` comes before that of node `b` along the ray. Only the order of visits hangs on it.
+    /// Whether the middle of node `a` comes before that of node `b` along the ray. Only the order of visits hangs on
+    /// it.
     #[inline(always)]
     fn is_nearer(&self, ray: &SlabRay, a: u32, b: u32) -> bool {
         let (a, b) = (self.nodes[a as usize].bounds.twice_center(), self.nodes[b as usize].bounds.twice_center());
@@ -161,7 +162,8 @@ impl Stack {
     }
 }
 
-/// Orders `items` and says where the right half begins, such that half area times count, summed over both halves, is least.
+/// Orders `items` and says where the right half begins, such that half area times count, summed over both halves, is
+/// least.
 fn split(items: &mut [u32], bounds: &[Bounds]) -> usize {
     let center = |i: u32, axis: usize| bounds[i as usize].twice_center()[axis];
     if items.len() <= SWEEP {

@@ -1,7 +1,7 @@
 //! Floor 3: finding hits. Knows nothing of light.
 //!
-//! A [`World`] is the geometry of a scene in one precision. [`World::nearest`] finds the nearest hit of a ray, by brute force
-//! ([`list`]) or through a bounding volume hierarchy ([`bvh`]); a [`Probe`] sees every test on the way.
+//! A [`World`] is the geometry of a scene in one precision. [`World::nearest`] finds the nearest hit of a ray, by brute
+//! force ([`list`]) or through a bounding volume hierarchy ([`bvh`]); a [`Probe`] sees every test on the way.
 
 pub mod bvh;
 pub mod list;

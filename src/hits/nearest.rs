@@ -95,9 +95,21 @@ pub(super) fn compare<R: Real>(world: &World<R>, ray: &Ray<R>, a: &Candidate<R>,
         return Ordering::Greater;
     }
     match world.numerics() {
-        Numerics::Certified => compare_t(ray, root(world, a), root(world, b)),
+        Numerics::Certified => compare_roots(ray, root(world, a), root(world, b)),
         Numerics::Lecture | Numerics::Robust => a.t.total_cmp(&b.t),
     }
+}
+
+/// The exact order of two roots; that of equal shapes needs no arithmetic.
+fn compare_roots<R: Real>(ray: &Ray<R>, a: Root<'_, R>, b: Root<'_, R>) -> Ordering {
+    let equal = match (a, b) {
+        (Root::Plane(a), Root::Plane(b)) => a == b,
+        (Root::Triangle(a), Root::Triangle(b)) => a == b,
+        (Root::BoxFace(a, i), Root::BoxFace(b, j)) => i == j && a == b,
+        (Root::SphereNear(a), Root::SphereNear(b)) | (Root::SphereFar(a), Root::SphereFar(b)) => a == b,
+        _ => false,
+    };
+    if equal { Ordering::Equal } else { compare_t(ray, a, b) }
 }
 
 /// Whether a hit lies in front of `t_max`: exact under certified numerics.

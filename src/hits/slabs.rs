@@ -72,8 +72,8 @@ impl SlabRay {
         self.direction
     }
 
-    /// Where the ray enters and leaves a box: `t_in` not above, `t_out` not below the true value, `t_in >= 0`; the ray surely
-    /// misses where `t_in > t_out`. Beside a slab that it runs along, `t_in` is infinite and `t_out` -infinite.
+    /// Where the ray enters and leaves a box: `t_in` not above, `t_out` not below the true value, `t_in >= 0`; the ray
+    /// surely misses where `t_in > t_out`. Beside a slab that it runs along, `t_in` is infinite and `t_out` -infinite.
     ///
     /// Monotone: a box around this one gives a span around this one's, computed values included. That is what makes a
     /// hierarchy find exactly what a list finds.

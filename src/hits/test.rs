@@ -63,7 +63,7 @@ pub(super) fn walk_hierarchy<R: Real, S: Sink<R>, P: Probe>(
 }
 
 #[allow(clippy::too_many_arguments, reason = "the state of the walk through the objects, which this one goes on with")]
-fn walk_mesh<R: Real, S: Sink<R>, P: Probe>(
+pub(super) fn walk_mesh<R: Real, S: Sink<R>, P: Probe>(
     world: &World<R>,
     mesh: &MeshGeometry<R>,
     ray: &Ray<R>,
@@ -239,7 +239,11 @@ fn offer<R: Real, S: Sink<R>>(
         Err(miss) => return Verdict::Rejected { t: None, reason: Reason::Miss(miss) },
     };
     let Found { t, t_error, detail, .. } = found;
-    // Without this, a hit that rounding put in front of its box would be found or pruned depending on the order of visits.
+    if !t.is_finite() {
+        return Verdict::Rejected { t: None, reason: Reason::NotFinite };
+    }
+    // Without this, a hit that rounding put in front of its box would be found or pruned depending on the order of
+    // visits.
     if t + t_error < t_in {
         return Verdict::Rejected { t: Some(t), reason: Reason::BeforeItsBox };
     }

@@ -3,11 +3,12 @@
 use super::bvh::Bvh;
 use super::nearest::{All, Any, Candidate, Detail, Hit, Limit, Nearest, Sink, TiedWith};
 use super::probe::Probe;
-use super::slabs::Bounds;
+use super::slabs::{Bounds, SlabRay};
 use super::start::Departure;
 use super::{list, test};
 use crate::kernels::{
-    Aabb, Plane, Ray, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle, longest_edge,
+    Aabb, Plane, Ray, Root, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle, compare_t,
+    longest_edge,
 };
 use crate::numbers::{Certificate, Precision, Real, Vector3};
 use crate::scene::{Numerics, ObjectId, Scene, Shape};
@@ -89,10 +90,10 @@ pub struct World<R: Real> {
 impl<R: Real> World<R> {
     /// The geometry of `scene`, rounded to `R`.
     ///
-    /// # Errors
-    /// The first object with a coordinate that is not finite in `R`.
-    pub fn new(scene: &Scene, numerics: Numerics, acceleration: Acceleration) -> Result<Self, ObjectId> {
-        // Certified hits lie in their boxes; the hits of other kernels are rounded, and so may lie a little beside them.
+    /// The coordinates have to be in the range of `R`: see [`Precision::largest_coordinate`].
+    pub fn new(scene: &Scene, numerics: Numerics, acceleration: Acceleration) -> Self {
+        // Certified hits lie in their boxes; the hits of other kernels are rounded, and so may lie a little beside
+        // them.
         let growth = match numerics {
             Numerics::Certified => f64::EPSILON,
             Numerics::Lecture | Numerics::Robust => 512.0 * R::UNIT_ROUNDOFF.to_f64(),
@@ -109,10 +110,6 @@ impl<R: Real> World<R> {
         for id in scene.object_ids() {
             let geometry = geometry::<R>(&scene.object(id).shape, growth);
             let around = bounds(&geometry);
-            let finite = |b: &Bounds| b.min.iter().chain(&b.max).all(|x| x.is_finite());
-            if !around.as_ref().is_none_or(finite) || !plane_is_finite(&geometry) {
-                return Err(id);
-            }
             match &around {
                 Some(_) => world.bounded.push(id),
                 None => world.unbounded.push(id),
@@ -122,7 +119,7 @@ impl<R: Real> World<R> {
         }
         let boxes: Vec<Bounds> = world.bounds.iter().copied().flatten().collect();
         world.bvh = Bvh::new(&boxes);
-        Ok(world)
+        world
     }
 
     /// The kernels in use.
@@ -170,7 +167,8 @@ impl<R: Real> World<R> {
     /// The nearest hit of a ray that starts on the surfaces of `departure`.
     ///
     /// # None when
-    /// Nothing is hit at `0 <= t`, `t < t_max`; or the ray is not one: a component is infinite or NaN, or the direction zero.
+    /// Nothing is hit at `0 <= t`, `t < t_max`; or the ray is not one: a component is infinite or NaN, or the direction
+    /// zero.
     pub fn nearest<P: Probe>(
         &self,
         ray: &Ray<R>,
@@ -202,7 +200,14 @@ impl<R: Real> World<R> {
     pub fn all_hits(&self, ray: &Ray<R>, id: ObjectId) -> Vec<Candidate<R>> {
         let mut sink = All(Vec::new());
         if is_ray(ray) {
-            list::object(self, ray, id, Departure::default(), &mut sink, &mut ());
+            let anywhere = Departure::default();
+            match self.geometry(id) {
+                Geometry::Mesh(mesh) => {
+                    let slabs = SlabRay::new(ray);
+                    test::walk_mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
+                }
+                _ => list::object(self, ray, id, anywhere, &mut sink, &mut ()),
+            }
         }
         sink.0
     }
@@ -226,7 +231,7 @@ impl<R: Real> World<R> {
             Geometry::Box(_) => {
                 let face = hit.primitive.unwrap_or_default();
                 let mut normal = [0.0; 3];
-                normal[face as usize / 2] = if face % 2 == 0 { -1.0 } else { 1.0 };
+                normal[face as usize / 2] = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
                 R::Vec3::from_f64(normal)
             }
             Geometry::Triangle(triangle) => triangle_normal(triangle),
@@ -234,19 +239,24 @@ impl<R: Real> World<R> {
         }
     }
 
-    /// The point of a hit: `o + t d`; of a box clamped to it, and exactly in the face.
+    /// The point of a hit: `o + t d`, brought onto the surface of a sphere or box, where rounding has taken it off.
     pub fn point(&self, ray: &Ray<R>, hit: &Candidate<R>) -> R::Vec3 {
         let point = ray.at(R::from_f64(hit.t)).to_f64();
         // Where f32 overflows (a plane seen almost edge-on), the last finite coordinate.
         let largest = R::PRECISION.largest();
         let mut point = point.map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) });
-        if let (Geometry::Box(aabb), Some(face)) = (self.geometry(hit.object), hit.primitive) {
-            let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
-            for k in 0..3 {
-                point[k] = point[k].clamp(min[k], max[k]);
+        match self.geometry(hit.object) {
+            Geometry::Sphere(sphere) => point = onto_sphere(ray, sphere, hit, point),
+            Geometry::Box(aabb) => {
+                let face = hit.primitive.unwrap_or_default();
+                let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
+                for k in 0..3 {
+                    point[k] = point[k].clamp(min[k], max[k]);
+                }
+                let axis = face as usize / 2;
+                point[axis] = if face.is_multiple_of(2) { min[axis] } else { max[axis] };
             }
-            let axis = face as usize / 2;
-            point[axis] = if face % 2 == 0 { min[axis] } else { max[axis] };
+            Geometry::Plane(_) | Geometry::Triangle(_) | Geometry::Mesh(_) => {}
         }
         R::Vec3::from_f64(point)
     }
@@ -262,13 +272,22 @@ impl<R: Real> World<R> {
         }
     }
 
-    /// Whether the hit of a convex solid is where the ray's line leaves it for good, and nothing is inside beyond.
-    pub fn leaves_behind(&self, hit: &Candidate<R>) -> bool {
+    /// Whether the ray's line is in no part of a convex solid beyond this hit: where it leaves, or only touches.
+    pub fn leaves_behind(&self, ray: &Ray<R>, hit: &Candidate<R>) -> bool {
         match hit.detail {
-            Detail::Sphere { t_in, t_out, near, .. } | Detail::Box { t_in, t_out, near, .. } => {
-                !near || !(t_in < t_out)
-            }
+            Detail::Sphere { t_in, t_out, near, .. } => !near || (!(t_in < t_out) && self.touches(ray, hit.object)),
+            Detail::Box { t_in, t_out, near, .. } => !near || !(t_in < t_out),
             Detail::Plane | Detail::Triangle { .. } => false,
+        }
+    }
+
+    /// Whether the two roots of a sphere are one, where rounding cannot tell them apart.
+    fn touches(&self, ray: &Ray<R>, id: ObjectId) -> bool {
+        match (self.geometry(id), self.numerics) {
+            (Geometry::Sphere(sphere), Numerics::Certified) => {
+                compare_t(ray, Root::SphereNear(sphere), Root::SphereFar(sphere)).is_eq()
+            }
+            _ => true,
         }
     }
 }
@@ -279,6 +298,27 @@ fn is_ray<R: Real>(ray: &Ray<R>) -> bool {
     // A sum of products with zero is zero for finite numbers and NaN for others.
     let zero = R::Vec3::default();
     ray.origin.dot(zero) + ray.direction.dot(zero) == R::ZERO && ray.direction != zero
+}
+
+/// The point of a sphere's hit, from the rounded `o + t d`, which may lie beside the surface.
+///
+/// Near it, the point is moved along the radius (pbrt, 3rd edition, section 3.9.4). From very far away, where `t` is
+/// known to no better than a radius, it is found from the line's foot `q` below the centre and half the chord: `c + q
+/// -+ h d / |d|`.
+fn onto_sphere<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, hit: &Candidate<R>, point: [f64; 3]) -> [f64; 3] {
+    let wide = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
+    let (center, radius) = (wide(sphere.center), sphere.radius.to_f64());
+    let mut out = glam::DVec3::from_array(point) - center;
+    if !(out.length() >= 0.5 * radius && out.length() <= 2.0 * radius) {
+        let (f, d) = (wide(ray.origin) - center, wide(ray.direction));
+        let along = d / d.length();
+        let foot = along.cross(f.cross(along));
+        let half_chord = (radius * radius - foot.length_squared()).max(0.0).sqrt();
+        let near = matches!(hit.detail, Detail::Sphere { near: true, .. });
+        out = foot + along * if near { -half_chord } else { half_chord };
+    }
+    let length = out.length();
+    if length > 0.0 { (center + out * (radius / length)).to_array() } else { point }
 }
 
 fn geometry<R: Real>(shape: &Shape, growth: f64) -> Geometry<R> {
@@ -309,13 +349,6 @@ fn bounds<R: Real>(geometry: &Geometry<R>) -> Option<Bounds> {
         Geometry::Box(aabb) => Some(Bounds { min: aabb.min.to_f64(), max: aabb.max.to_f64() }),
         Geometry::Triangle(triangle) => Some(Bounds::of::<R>(triangle.vertices)),
         Geometry::Mesh(mesh) => Some(Bounds { min: mesh.aabb.min.to_f64(), max: mesh.aabb.max.to_f64() }),
-    }
-}
-
-fn plane_is_finite<R: Real>(geometry: &Geometry<R>) -> bool {
-    match geometry {
-        Geometry::Plane(plane) => plane.distance.is_finite(),
-        _ => true,
     }
 }
 

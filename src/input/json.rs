@@ -120,18 +120,23 @@ impl Located<'_> {
 /// The value that a JSON text holds.
 ///
 /// # Errors
-/// One [`Problem`], located, for: bytes that are not UTF-8, text that is not JSON, a key that is unknown (with the nearest
-/// known one), missing or given twice, a value of the wrong type, a number beyond the range of `f64`.
+/// One [`Problem`], located, for: bytes that are not UTF-8, text that is not JSON, a key that is unknown (with the
+/// nearest known one), missing or given twice, a value of the wrong type, a number beyond the range of `f64`.
 pub fn read_json<T: DeserializeOwned>(located: Located<'_>) -> Result<T, Problem> {
-    let mut json = serde_json::Deserializer::from_str(located.text);
+    // Some editors put a byte order mark in front; JSON allows a reader to pass over it.
+    let text = located.text.strip_prefix('\u{feff}').unwrap_or(located.text);
+    let located = Located { text, ..located };
+    let mut json = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut json).map_err(|error| explain(located, error))?;
     json.end().map_err(|error| syntax(located, &error))?;
     Ok(value)
 }
 
 fn explain(located: Located<'_>, error: serde_path_to_error::Error<serde_json::Error>) -> Problem {
-    if error.inner().classify() != serde_json::error::Category::Data {
-        return syntax(located, error.inner());
+    // What is no JSON at all says so first, whatever was read until then. (A value has a limit to its depth, unlike
+    // this type.)
+    if let Err(error) = serde_json::from_str::<serde::de::IgnoredAny>(located.text) {
+        return syntax(located, &error);
     }
     let mut path = JsonPath::default();
     for segment in error.path() {
@@ -139,8 +144,7 @@ fn explain(located: Located<'_>, error: serde_path_to_error::Error<serde_json::E
         path = match segment {
             S::Seq { index } => path.child(*index),
             S::Map { key } => path.child(key.as_str()),
-            S::Enum { variant } => path.child(variant.as_str()),
-            S::Unknown => path,
+            S::Enum { .. } | S::Unknown => path,
         };
     }
     let text = error.inner().to_string();
@@ -154,61 +158,139 @@ fn explain(located: Located<'_>, error: serde_path_to_error::Error<serde_json::E
         if path.0.last() == Some(&Segment::from(*word)) {
             path.0.pop();
         }
-        let what = if kind == "unknown field" { "key" } else { "name" };
+        let (what, place) = match kind {
+            "unknown field" => ("key", path.child(*word)),
+            _ => ("name", path.clone()),
+        };
         let help = match nearest(word, known.iter().copied()) {
             Some(near) => format!("did you mean `{near}`? Known here: {}", one_of(known.iter().copied())),
             None => format!("known here: {}", one_of(known.iter().copied())),
         };
-        let mut problem = Problem::new(located.file, format!("unknown {what} `{word}`"), help);
-        let range = located.span(&path, Some(word));
-        problem.path = Some(path.child(*word).to_string());
-        return match range {
-            Some(range) => problem.at(located.text, range),
-            None => problem,
-        };
+        let range = located.span(&path, (kind == "unknown field").then_some(word));
+        return at(located, range, &place, &error, format!("unknown {what} `{word}`"), help);
     }
     if let ("missing field", [key]) = (text.get(..13).unwrap_or_default(), quoted.as_slice()) {
-        return located.problem(&path, format!("the key `{key}` is missing"), format!("add `{key}` to this object"));
+        let (message, help) = (format!("the key `{key}` is missing"), format!("add `{key}` to this object"));
+        return at(located, located.span(&path, None), &path, &error, message, help);
     }
     if let ("duplicate field", [key]) = (text.get(..15).unwrap_or_default(), quoted.as_slice()) {
-        return located.problem(&path, format!("the key `{key}` stands here twice"), "keep one of the two");
+        if path.0.last() == Some(&Segment::from(*key)) {
+            path.0.pop();
+        }
+        let range = located.span(&path, Some(key));
+        let message = format!("the key `{key}` stands here twice");
+        return at(located, range, &path.child(*key), &error, message, "keep one of the two".to_owned());
     }
-    match text.split_once(", expected ") {
-        Some((got, wanted)) => located.problem(&path, plain(got), format!("expected {}", plain(wanted))),
-        None => located.problem(&path, plain(text), "see `raytree schema` for what the format allows"),
+    let range = located.span(&path, None);
+    let (message, help) = match text.split_once(", expected ") {
+        Some((got, wanted)) => {
+            let (got, wanted) = (plain(got), plain(wanted));
+            let off = match got.as_str() {
+                "null" | "`true`" | "`false`" => "; what is not wanted is left out, key and all",
+                _ => "",
+            };
+            (format!("{got} where {wanted} belongs"), format!("write {wanted}{off}"))
+        }
+        // serde_json says this of an array that goes on where a fixed number of entries is wanted.
+        None if text.starts_with("trailing characters") => {
+            let help = "[x, y, z] and [r, g, b] have three entries, a pixel [x, y] two, a triangle three vertices";
+            ("an array with too many entries".to_owned(), help.to_owned())
+        }
+        None if text.starts_with("expected value") => (
+            "not one of the names that belong here".to_owned(),
+            "a name in quotes; `raytree schema` lists them".to_owned(),
+        ),
+        None if text.starts_with("number out of range") => (
+            "a number beyond all numbers of 64 bits".to_owned(),
+            "a finite number, at most about 1.8e308 in magnitude".to_owned(),
+        ),
+        None if text.starts_with("recursion limit") => {
+            ("nested too deep".to_owned(), "nest no deeper than 127 levels".to_owned())
+        }
+        None => {
+            (plain(text), "`raytree schema scene` and `raytree schema tree` print what the formats allow".to_owned())
+        }
+    };
+    at(located, range, &path, &error, message, help)
+}
+
+/// A problem at a range, or where there is none, where the parser stopped.
+fn at(
+    located: Located<'_>,
+    range: Option<Range<usize>>,
+    path: &JsonPath,
+    error: &serde_path_to_error::Error<serde_json::Error>,
+    message: String,
+    help: String,
+) -> Problem {
+    let mut problem = Problem::new(located.file, clipped(&message), clipped(&help));
+    problem.path = Some(clipped(&path.to_string()));
+    let range = range.unwrap_or_else(|| {
+        let offset = offset_of(located.text, error.inner());
+        offset..offset
+    });
+    problem.at(located.text, range)
+}
+
+/// A long text, shortened in the middle.
+fn clipped(text: &str) -> String {
+    let chars: Vec<char> = text.chars().collect();
+    match chars.len() {
+        0..=400 => text.to_owned(),
+        n => format!("{} ... {}", String::from_iter(&chars[..200]), String::from_iter(&chars[n - 100..])),
     }
 }
 
 /// serde's words for types in the words of JSON.
 fn plain(text: &str) -> String {
     let text = text.strip_prefix("invalid type: ").unwrap_or(text);
-    let mut text = text.strip_prefix("invalid value: ").unwrap_or(text).to_owned();
+    let text = text.strip_prefix("invalid value: ").unwrap_or(text);
+    if let Some(length) = text.strip_prefix("invalid length ") {
+        return format!("an array of {length}");
+    }
+    let mut text = text.to_owned();
     for (rust, json) in [
         ("floating point `", "the number `"),
         ("integer `", "the number `"),
         ("boolean `", "`"),
+        ("an array of length ", "an array of "),
+        ("a sequence", "an array"),
         ("sequence", "an array"),
+        ("a map", "an object"),
         ("map", "an object"),
-        ("a an object", "an object"),
         ("string \"", "the text \""),
         ("unit value", "null"),
-        ("an array of length 3", "[x, y, z], three numbers"),
     ] {
-        text = text.replace(rust, json);
+        text = text.replacen(rust, json, 1);
+        if text.starts_with("an array") || text.starts_with("an object") {
+            break;
+        }
     }
     match text.as_str() {
         "f64" | "f32" => "a number".to_owned(),
-        "u32" | "u64" | "usize" => "a whole number, 0 or larger".to_owned(),
+        "u32" => format!("a whole number from 0 to {}", u32::MAX),
+        "u64" | "usize" => format!("a whole number from 0 to {}", u64::MAX),
         _ => text,
     }
 }
 
+/// The byte where the parser stopped.
+fn offset_of(text: &str, error: &serde_json::Error) -> usize {
+    let start: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+    let mut offset = (start + error.column().saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(offset) {
+        offset -= 1;
+    }
+    offset
+}
+
 fn syntax(located: Located<'_>, error: &serde_json::Error) -> Problem {
+    if located.text.trim().is_empty() {
+        return Problem::new(located.file, "the file is empty", "a JSON object");
+    }
     let text = error.to_string();
     let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
-    let message = format!("this is not JSON: {message}");
-    let start: usize = located.text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
-    let offset = (start + error.column().saturating_sub(1)).min(located.text.len());
+    let offset = offset_of(located.text, error);
     // The whole word that the parser stopped in.
     let word = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'+' | b'-' | b'_');
     let bytes = located.text.as_bytes();
@@ -225,9 +307,35 @@ fn syntax(located: Located<'_>, error: &serde_json::Error) -> Problem {
     } else if message.contains("trailing characters") {
         "one value a file: remove what follows it"
     } else {
-        "plain JSON: keys in double quotes, commas between entries but none after the last, no comments, no NaN or Infinity"
+        "plain JSON: keys in double quotes, commas between entries, none after the last, no comments, no NaN or Infinity"
     };
-    Problem::new(located.file, message, help).at(located.text, range)
+    Problem::new(located.file, format!("this is not JSON: {message}"), help).at(located.text, range)
+}
+
+/// An optional key that is there: `null` is not a way to leave it out.
+///
+/// # Errors
+/// What the value's own type says, of `null` too.
+pub fn present<'de, D: Deserializer<'de>, T: serde::Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(deserializer).map(Some)
+}
+
+/// One of the names that `T`, an enum without data, serialises to.
+///
+/// # Errors
+/// A value that is not text, and a name that is none of them.
+pub fn name<'de, D: Deserializer<'de>, T: DeserializeOwned>(deserializer: D) -> Result<Option<T>, D::Error> {
+    struct Name<T>(PhantomData<T>);
+    impl<T: DeserializeOwned> Visitor<'_> for Name<T> {
+        type Value = T;
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a name in quotes")
+        }
+        fn visit_str<E: serde::de::Error>(self, name: &str) -> Result<T, E> {
+            T::deserialize(serde::de::value::StrDeserializer::new(name))
+        }
+    }
+    deserializer.deserialize_str(Name(PhantomData)).map(Some)
 }
 
 /// A JSON object whose keys are names that the writer chose: the entries in the order of the file, each name once.

@@ -2,8 +2,10 @@
 
 mod json;
 mod nearest;
+mod printable;
 mod problem;
 
-pub use json::{JsonPath, Located, Named, Segment, read_json};
+pub use json::{JsonPath, Located, Named, Segment, name, present, read_json};
 pub use nearest::{nearest, one_of};
-pub use problem::Problem;
+pub use printable::printable;
+pub use problem::{Place, Problem};

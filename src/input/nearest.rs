@@ -1,6 +1,7 @@
 //! The known name nearest to a mistyped one.
 
-/// The entry of `known` with the smallest edit distance to `word`, if that is at most a third of its length (and one at least).
+/// The entry of `known` with the smallest edit distance to `word`, if that is at most a third of its length (and one at
+/// least).
 ///
 /// # Example
 /// ```
@@ -24,10 +25,10 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 pub fn one_of<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.into_iter().map(|n| format!("`{n}`")).collect();
     match names.as_slice() {
-        [] => "(there are none)".to_owned(),
+        [] => "nothing: there are none".to_owned(),
         [only] => only.clone(),
-        [most @ .., last] if most.len() < 12 => format!("{} or {last}", most.join(", ")),
-        many => format!("{} or one of {} more", many[..12].join(", "), many.len() - 12),
+        [most @ .., last] if most.len() < 16 => format!("{} or {last}", most.join(", ")),
+        many => format!("{} or one of {} more", many[..16].join(", "), many.len() - 16),
     }
 }
 

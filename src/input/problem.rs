@@ -17,7 +17,7 @@ pub struct Problem {
     /// The JSON path of the offending value, where the input is JSON.
     pub path: Option<String>,
     /// Where in the text it stands.
-    pub place: Option<Place>,
+    pub place: Option<Box<Place>>,
 }
 
 /// A stretch of one line of a text, kept with the line itself so that it can be shown.
@@ -68,7 +68,7 @@ impl Problem {
 
     /// The same problem at a byte range of the file's text.
     pub fn at(mut self, text: &str, range: Range<usize>) -> Self {
-        self.place = Some(Place::new(text, range));
+        self.place = Some(Box::new(Place::new(text, range)));
         self
     }
 }

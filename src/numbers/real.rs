@@ -20,7 +20,34 @@ pub enum Precision {
     F64,
 }
 
+impl Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        })
+    }
+}
+
 impl Precision {
+    /// Coordinates of a scene, and components of a ray, are at most this in magnitude, so that their squares and
+    /// products stay finite: 2^60 for f32, and the 2^128 of [`is_in_range`](super::is_in_range) for f64.
+    pub fn largest_coordinate(self) -> f64 {
+        match self {
+            Self::F32 => (1_u64 << 60) as f64,
+            Self::F64 => 2.0 * (1_u128 << 127) as f64,
+        }
+    }
+
+    /// The largest component of a direction is at least this, so that its square is not lost: 2^-60 for f32, 2^-126 for
+    /// f64.
+    pub fn smallest_direction(self) -> f64 {
+        match self {
+            Self::F32 => 1.0 / (1_u64 << 60) as f64,
+            Self::F64 => f64::from(f32::MIN_POSITIVE),
+        }
+    }
+
     /// The largest finite number.
     pub fn largest(self) -> f64 {
         match self {

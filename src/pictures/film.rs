@@ -17,9 +17,11 @@ pub struct Film {
     pub pixels: Vec<Rgb>,
 }
 
-/// The picture that `tracer` sees, or nothing if `stop` was set meanwhile. `row_done` is called after each row, on any thread.
+/// The picture that `tracer` sees, or nothing if `stop` was set meanwhile. `row_done` is called after each row, on any
+/// thread.
 ///
-/// With the feature `threads` the rows are spread over the threads of the current `rayon` pool. The colours do not depend on it.
+/// With the feature `threads` the rows are spread over the threads of the current `rayon` pool. The colours do not
+/// depend on it.
 pub fn render<R: Real>(tracer: &Tracer<'_, R>, row_done: &(dyn Fn() + Sync), stop: &AtomicBool) -> Option<Film> {
     let size = tracer.scene().image;
     let mut pixels = vec![Rgb::ZERO; size.width as usize * size.height as usize];

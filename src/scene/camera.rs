@@ -68,7 +68,7 @@ impl Camera {
 /// `v` is zero, has a component that is not finite, or none of magnitude 2^-126 or more.
 pub(super) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
-    if !(largest >= f64::from(f32::MIN_POSITIVE) && largest.is_finite()) || !v.is_finite() {
+    if !(largest >= f64::from(f32::MIN_POSITIVE) && v.is_finite()) {
         return None;
     }
     // A power of two scales without rounding, so that the squares neither over- nor underflow.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::{Fresnel, Numerics, Scene, validate};
-use crate::input::{Located, Named, Problem, read_json};
+use crate::input::{Located, Named, Problem, name, present, read_json};
 use crate::numbers::Precision;
 
 pub use super::mesh::Transform;
@@ -15,38 +15,38 @@ pub use super::mesh::Transform;
 /// A scene: what is seen, by what light, from where.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a scene, an object")]
+#[serde(deny_unknown_fields, expecting = "a scene (an object)")]
 pub struct SceneFile {
     /// Where the JSON Schema of this format is, for editors.
-    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "$schema", default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
     /// One sentence on the idea of the scene.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub about: Option<String>,
     /// Size of the picture.
     pub image: ImageFile,
     /// Where the scene is seen from.
     pub camera: CameraFile,
     /// What a ray that hits nothing brings back; black if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub background: Option<BackgroundFile>,
     /// How deep the recursion goes: reflected and refracted rays are traced below this depth. 5 if absent, 64 at most.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(max = 64)))]
     pub max_depth: Option<u32>,
     /// Rays whose largest weight component is below this are not traced; no such limit if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub min_weight: Option<f64>,
     /// The most rays of one pixel, shadow rays counted; 2^20 if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
     pub ray_budget: Option<u64>,
     /// The precision to trace in; `f64` if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub precision: Option<Precision>,
     /// The set of kernels to trace with; `certified` if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
     /// Lights; none if absent.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -126,19 +126,19 @@ pub struct GradientFile {
     pub top: [f64; 3],
 }
 
-/// A light: a name and either `point` or `directional`.
+/// A light: a name and either `point` or `directional`, not both.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a light, an object with `name` and `point` or `directional`")]
+#[serde(deny_unknown_fields, expecting = "a light (an object with `name` and `point` or `directional`)")]
 pub struct LightFile {
     /// What the tree calls it; `light 0` and so on if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// Light from a point; it does not fall off with distance.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub point: Option<PointLightFile>,
     /// Light from infinitely far away.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub directional: Option<DirectionalLightFile>,
 }
 
@@ -167,43 +167,45 @@ pub struct DirectionalLightFile {
 /// What a surface does with light. Every key is optional, and a key that is absent is an effect that is not there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a material, an object")]
+#[serde(deny_unknown_fields, expecting = "a material (an object)")]
 pub struct MaterialFile {
     /// Linear RGB of the ambient and diffuse terms; white if absent. Not together with `checker`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub color: Option<[f64; 3]>,
     /// Two colours in turn. Not together with `color`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub checker: Option<CheckerFile>,
     /// Weight of the colour itself, lit or not.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub ambient: Option<Weight>,
     /// Weight of Lambert's term.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub diffuse: Option<Weight>,
     /// Weight of Phong's highlight; asks for `shininess`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub specular: Option<Weight>,
     /// Exponent of Phong's highlight.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(min = 0)))]
     pub shininess: Option<f64>,
     /// Weight of the reflected ray.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub reflection: Option<Weight>,
     /// Weight of the refracted ray; asks for `ior`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub transmission: Option<Weight>,
     /// Index of refraction, larger than 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub ior: Option<f64>,
     /// How the angle splits the light between reflection and transmission; asks for `ior`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub fresnel: Option<Fresnel>,
 }
 
-/// Two colours in turn: on a plane in two coordinates, elsewhere in three.
+/// Two colours in turn: on a plane in two coordinates, elsewhere in three. A face that lies exactly between two layers
+/// of cells, such as the top of a box at a multiple of `size`, has the colour of either by chance: move it, or use a
+/// plane.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, expecting = "an object with `colors` and `size`")]
@@ -221,7 +223,7 @@ pub struct CheckerFile {
 #[serde(deny_unknown_fields, expecting = "an object with `name`, `material` and `shape`")]
 pub struct ObjectFile {
     /// What the tree calls it; `sphere 0` and so on if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// A key of `materials`.
     pub material: String,
@@ -229,21 +231,27 @@ pub struct ObjectFile {
     pub shape: ShapeFile,
 }
 
-/// One shape.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// One shape: an object with exactly one of these keys.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case", expecting = "a shape such as {\"sphere\": {..}}")]
-pub enum ShapeFile {
+#[cfg_attr(feature = "schema", schemars(extend("minProperties" = 1, "maxProperties" = 1)))]
+#[serde(deny_unknown_fields, expecting = "a shape such as {\"sphere\": {..}}")]
+pub struct ShapeFile {
     /// All points at `radius` from `center`.
-    Sphere(SphereFile),
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub sphere: Option<SphereFile>,
     /// All points `p` with `p . n = distance`, `n` the normal at unit length. The solid lies below it.
-    Plane(PlaneFile),
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub plane: Option<PlaneFile>,
     /// All points between `min` and `max`.
-    Box(BoxFile),
+    #[serde(rename = "box", default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub aabb: Option<BoxFile>,
     /// A lone triangle. Its normal is (v1 - v0) x (v2 - v0).
-    Triangle(TriangleFile),
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub triangle: Option<TriangleFile>,
     /// Triangles from a file.
-    Mesh(MeshFile),
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshFile>,
 }
 
 /// All points at `radius` from `center`.
@@ -297,10 +305,10 @@ pub struct MeshFile {
     /// Path of an `.obj` or `.ply` file, relative to the scene.
     pub file: String,
     /// Flat, or smooth by interpolated vertex normals; flat if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub normals: Option<MeshNormals>,
     /// Applied to the vertices when the mesh is loaded; the identity if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub transform: Option<Transform>,
 }
 

@@ -69,7 +69,8 @@ pub enum Pigment {
 }
 
 impl Pigment {
-    /// The colour at a point; `in_plane` is the normal where the surface is a plane, which is checkered in two coordinates.
+    /// The colour at a point; `in_plane` is the normal where the surface is a plane, which is checkered in two
+    /// coordinates.
     pub fn color(&self, point: DVec3, in_plane: Option<DVec3>) -> Rgb {
         match *self {
             Self::Constant(color) => color,
@@ -87,8 +88,8 @@ impl Pigment {
     }
 }
 
-/// Two orthonormal in-plane axes: of the world's axes, the one that the normal is closest to is left out (the first of equals);
-/// `u` is the next one, turned into the plane, and `v` is perpendicular to it on the side of the last one.
+/// Two orthonormal in-plane axes: of the world's axes, the one that the normal is closest to is left out (the first of
+/// equals); `u` is the next one, turned into the plane, and `v` is perpendicular to it on the side of the last one.
 fn plane_axes(normal: DVec3) -> (DVec3, DVec3) {
     let n = normal.abs();
     let (first, second) = if n.x >= n.y && n.x >= n.z {

@@ -1,7 +1,7 @@
 //! Floor 2: the scene, as plain data. Knows nothing of tracing.
 //!
-//! [`Scene`] and what hangs on it are what is traced; [`json`] reads and writes its JSON form; [`mesh`] brings in OBJ and PLY;
-//! [`effects`] says which effects a scene calls for, and who asked.
+//! [`Scene`] and what hangs on it are what is traced; [`json`] reads and writes its JSON form; [`mesh`] brings in OBJ
+//! and PLY; [`effects`] says which effects a scene calls for, and who asked.
 
 mod camera;
 pub mod effects;

@@ -58,6 +58,18 @@ impl Shape {
         }
     }
 
+    /// The largest magnitude among its coordinates and lengths.
+    pub fn largest_coordinate(&self) -> f64 {
+        let of = |v: &DVec3| v.abs().max_element();
+        match self {
+            Self::Sphere { center, radius } => of(center) + radius,
+            Self::Plane { distance, .. } => distance.abs(),
+            Self::Box { min, max } => of(min).max(of(max)),
+            Self::Triangle { vertices } => vertices.iter().map(of).fold(0.0, f64::max),
+            Self::Mesh(mesh) => mesh.triangles.iter().flatten().map(of).fold(0.0, f64::max),
+        }
+    }
+
     /// The word for it in the scene file.
     pub fn kind(&self) -> &'static str {
         match self {

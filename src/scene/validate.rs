@@ -42,8 +42,16 @@ pub(super) fn scene(located: Located<'_>, file: &SceneFile, read_mesh: &mut Read
         objects.push(check.object(&root.child("objects").child(i), i, object, &materials, read_mesh)?);
     }
     for (name, pixel) in &file.pixels.0 {
+        let path = root.child("pixels").child(name.as_str());
+        let like_a_place = name.split_once(',').is_some_and(|(x, y)| {
+            let number = |word: &str| word.trim().parse::<i64>().is_ok();
+            number(x) && number(y)
+        });
+        if name.is_empty() || like_a_place {
+            let message = format!("`{name}` cannot be the name of a pixel");
+            return Err(check.problem(&path, message, "a word or more, which no x,y can be taken for"));
+        }
         if pixel[0] >= image.width || pixel[1] >= image.height {
-            let path = root.child("pixels").child(name.as_str());
             let help = format!("x is 0 to {}, y is 0 to {}", image.width - 1, image.height - 1);
             return Err(check.problem(&path, format!("pixel {},{} lies outside the image", pixel[0], pixel[1]), help));
         }
@@ -81,13 +89,20 @@ impl Check<'_> {
         self.located.problem(path, message, help)
     }
 
-    /// A stored coordinate: zero, or a multiple of 2^-178 of magnitude at most 2^128, so that exact arithmetic stays exact.
+    /// A stored coordinate: zero, or a multiple of 2^-178 of magnitude at most 2^128, so that exact arithmetic stays
+    /// exact.
     fn coordinate(&self, path: &JsonPath, x: f64) -> Result<f64, Problem> {
         if is_in_range(x) {
             return Ok(x);
         }
-        let help = "a coordinate is 0 or a multiple of 2^-178, at most 2^128 (3.4e38) in magnitude; every f32 is one";
-        Err(self.problem(path, format!("{x:e} is out of the range in which verdicts are proven"), help))
+        let (message, help) = match x.abs() > 1.0 {
+            true => (format!("{x:e} is too large for exact verdicts"), "at most 2^128 (3.4e38) in magnitude"),
+            false => (
+                format!("{x:e} is too fine for exact verdicts"),
+                "0, or a multiple of 2^-178; from 1.2e-38 up every number is one",
+            ),
+        };
+        Err(self.problem(path, message, help))
     }
 
     fn point(&self, path: &JsonPath, p: [f64; 3]) -> Result<DVec3, Problem> {
@@ -113,7 +128,7 @@ impl Check<'_> {
     }
 
     fn fail_range<T>(&self, path: &JsonPath, x: f64, what: &str, range: &str) -> Result<T, Problem> {
-        Err(self.problem(path, format!("{what} {x} is out of range"), format!("{what} is {range}")))
+        Err(self.problem(path, format!("{what} of {x:?} is out of range"), format!("{what} is {range}")))
     }
 
     fn rgb(&self, path: &JsonPath, color: [f64; 3]) -> Result<Rgb, Problem> {
@@ -166,7 +181,8 @@ impl Check<'_> {
             );
         }
         if unit(look_at - eye).is_none() {
-            return Err(self.problem(&path.child("look_at"), "`look_at` equals `eye`", "two different points"));
+            let help = "two points at least 2^-126 (1.2e-38) apart";
+            return Err(self.problem(&path.child("look_at"), "`look_at` is where `eye` is", help));
         }
         Camera::look_at(eye, look_at, up, fov * (std::f64::consts::PI / 180.0)).ok_or_else(|| {
             let help = "any direction that is not along the line from `eye` to `look_at`";
@@ -270,7 +286,7 @@ impl Check<'_> {
         if let Some(ior) = file.ior
             && !(1e-6..=1e6).contains(&ior)
         {
-            let range = "larger than 0, between 1e-6 and 1e6; glass has 1.5";
+            let range = "between 1e-6 and 1e6; that of glass is 1.5";
             return self.fail_range(&path.child("ior"), ior, "an index of refraction", range);
         }
         let specular = self.weight(&path.child("specular"), file.specular, LARGEST_FACTOR)?;
@@ -300,8 +316,8 @@ impl Check<'_> {
         let Some(material) = materials.iter().position(|m| m.name == file.material) else {
             let known = one_of(materials.iter().map(|m| m.name.as_str()));
             let help = match nearest(&file.material, materials.iter().map(|m| m.name.as_str())) {
-                Some(near) => format!("did you mean `{near}`? The materials are {known}"),
-                None => format!("the materials are {known}"),
+                Some(near) => format!("did you mean `{near}`? There is {known}"),
+                None => format!("there is {known}"),
             };
             let message = format!("there is no material `{}`", file.material);
             return Err(self.problem(&path.child("material"), message, help));
@@ -312,8 +328,9 @@ impl Check<'_> {
     }
 
     fn shape(&self, path: &JsonPath, file: &ShapeFile, read_mesh: &mut ReadMesh<'_>) -> Result<Shape, Problem> {
-        match file {
-            ShapeFile::Sphere(sphere) => {
+        let ShapeFile { sphere, plane, aabb, triangle, mesh } = file;
+        match (sphere, plane, aabb, triangle, mesh) {
+            (Some(sphere), None, None, None, None) => {
                 let path = path.child("sphere");
                 let center = self.point(&path.child("center"), sphere.center)?;
                 let radius = self.coordinate(&path.child("radius"), sphere.radius)?;
@@ -322,24 +339,24 @@ impl Check<'_> {
                 }
                 Ok(Shape::Sphere { center, radius })
             }
-            ShapeFile::Plane(plane) => {
+            (None, Some(plane), None, None, None) => {
                 let path = path.child("plane");
                 let normal = self.direction(&path.child("normal"), plane.normal, "the normal")?;
                 Ok(Shape::Plane { normal, distance: self.coordinate(&path.child("distance"), plane.distance)? })
             }
-            ShapeFile::Box(aabb) => {
+            (None, None, Some(aabb), None, None) => {
                 let path = path.child("box");
                 let min = self.point(&path.child("min"), aabb.min)?;
                 let max = self.point(&path.child("max"), aabb.max)?;
                 for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
                     if min[i] > max[i] {
-                        let message = format!("`min` exceeds `max` along {axis}: {} > {}", min[i], max[i]);
+                        let message = format!("`min` exceeds `max` along {axis}: {:?} > {:?}", min[i], max[i]);
                         return Err(self.problem(&path.child("min").child(i), message, "swap the two"));
                     }
                 }
                 Ok(Shape::Box { min, max })
             }
-            ShapeFile::Triangle(triangle) => {
+            (None, None, None, Some(triangle), None) => {
                 let path = path.child("triangle").child("vertices");
                 let mut vertices = [DVec3::ZERO; 3];
                 for (i, vertex) in triangle.vertices.into_iter().enumerate() {
@@ -347,7 +364,12 @@ impl Check<'_> {
                 }
                 Ok(Shape::Triangle { vertices })
             }
-            ShapeFile::Mesh(mesh) => Ok(Shape::Mesh(self.mesh(&path.child("mesh"), mesh, read_mesh)?)),
+            (None, None, None, None, Some(mesh)) => Ok(Shape::Mesh(self.mesh(&path.child("mesh"), mesh, read_mesh)?)),
+            (None, None, None, None, None) => {
+                let help = "add one of `sphere`, `plane`, `box`, `triangle` or `mesh`";
+                Err(self.problem(path, "a shape of no kind", help))
+            }
+            _ => Err(self.problem(path, "a shape of several kinds", "one shape an object: make two objects of them")),
         }
     }
 

@@ -174,7 +174,8 @@ impl<R: Real> Tracer<'_, R> {
     }
 }
 
-/// Phong's `strength * max(0, r.v)^shininess`, `r` the light's direction mirrored at the normal, `v` back along the ray.
+/// Phong's `strength * max(0, r.v)^shininess`, `r` the light's direction mirrored at the normal, `v` back along the
+/// ray.
 fn highlight<R: Real>(specular: Specular, incident: &Ray<R>, surface: &Surface<R>, to_light: &Ray<R>) -> Rgb {
     let (n, l) = (vector::<R>(surface.shading_normal), vector::<R>(to_light.direction));
     let d = vector::<R>(incident.direction);

@@ -1,4 +1,5 @@
-//! How a ray leaves a surface: by identity. The origin is the hit point itself, and the surfaces it left are not hit again.
+//! How a ray leaves a surface: by identity. The origin is the hit point itself, and the surfaces it left are not hit
+//! again.
 
 use super::recorder::Secondary;
 use super::surface::Surface;
@@ -18,8 +19,8 @@ pub struct Leaving {
 impl Leaving {
     /// Of a ray towards `direction`; shadow rays leave like reflected ones.
     ///
-    /// Surfaces at exactly equal `t` are left together, as far as the ray stays on their near side (reflected), or passes
-    /// them and they let it through (refracted). The others stand in its way and are tested as stored.
+    /// Surfaces at exactly equal `t` are left together, as far as the ray stays on their near side (reflected), or
+    /// passes them and they let it through (refracted). The others stand in its way and are tested as stored.
     pub fn new<R: Real>(
         tracer: &Tracer<'_, R>,
         incident: &Ray<R>,
@@ -28,7 +29,8 @@ impl Leaving {
         way: Secondary,
     ) -> Self {
         let nearest = &surface.hit.nearest;
-        let first = left(nearest, way);
+        let left = |hit: &Candidate<R>| left(tracer, incident, hit, way);
+        let first = left(nearest);
         let mut several = Vec::new();
         if !surface.hit.tied.is_empty() {
             several.push(first);
@@ -40,7 +42,7 @@ impl Leaving {
                     Secondary::Refracted => along && tracer.scene().material_of(other.object).transmission.is_some(),
                 }
             };
-            several.extend(surface.hit.tied.iter().filter(goes_along).map(|other| left(other, way)));
+            several.extend(surface.hit.tied.iter().filter(goes_along).map(left));
         }
         Self { first: [first], several }
     }
@@ -51,18 +53,19 @@ impl Leaving {
     }
 }
 
-fn left<R: Real>(hit: &Candidate<R>, way: Secondary) -> Left {
-    let inward = match hit.detail {
-        Detail::Sphere { t_in, t_out, near, .. } | Detail::Box { t_in, t_out, near, .. } => match way {
-            Secondary::Reflected => !near,
-            Secondary::Refracted => near && t_in < t_out,
-        },
-        Detail::Plane | Detail::Triangle { .. } => false,
+fn left<R: Real>(tracer: &Tracer<'_, R>, incident: &Ray<R>, hit: &Candidate<R>, way: Secondary) -> Left {
+    let inward = match (hit.detail, way) {
+        (Detail::Sphere { near, .. } | Detail::Box { near, .. }, Secondary::Reflected) => !near,
+        (Detail::Sphere { .. } | Detail::Box { .. }, Secondary::Refracted) => {
+            !tracer.world().leaves_behind(incident, hit)
+        }
+        (Detail::Plane | Detail::Triangle { .. }, _) => false,
     };
     Left { object: hit.object, primitive: hit.primitive, inward }
 }
 
-/// The ray from `origin` towards `direction`, components below 2^-126 stored as 0, so that exact arithmetic stays exact.
+/// The ray from `origin` towards `direction`, components below 2^-126 stored as 0, so that exact arithmetic stays
+/// exact.
 pub fn spawn<R: Real>(origin: R::Vec3, direction: R::Vec3) -> Ray<R> {
     let flush = |v: R::Vec3| R::Vec3::from_f64(v.to_f64().map(flush_tiny));
     Ray { origin: flush(origin), direction: flush(direction) }

@@ -6,7 +6,8 @@ use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
 use crate::scene::{ObjectId, Scene};
 
-/// The media that contain a point of a ray, in the order of the scene: solids whose material transmits. The last one counts.
+/// The media that contain a point of a ray, in the order of the scene: solids whose material transmits. The last one
+/// counts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inside(Vec<ObjectId>);
 
@@ -29,7 +30,7 @@ impl Inside {
         for crossed in all().filter(|c| tracer.scene().is_medium(c.object)) {
             let id = crossed.object;
             let contains = match crossed.detail {
-                Detail::Sphere { .. } | Detail::Box { .. } => !tracer.world().leaves_behind(crossed),
+                Detail::Sphere { .. } | Detail::Box { .. } => !tracer.world().leaves_behind(ray, crossed),
                 Detail::Plane => enters(tracer.world(), ray, crossed),
                 // Of a mesh, several triangles may meet in an edge: a ray that only touches it stays where it is.
                 Detail::Triangle { .. } => {
@@ -75,7 +76,11 @@ fn contains_start<R: Real>(world: &World<R>, ray: &Ray<R>, id: ObjectId) -> bool
             height < R::ZERO || (height == R::ZERO && plane.normal.dot(ray.direction) > R::ZERO)
         }
         Geometry::Triangle(_) => false,
-        Geometry::Mesh(_) => {
+        Geometry::Mesh(mesh) => {
+            let (o, min, max) = (ray.origin.to_f64(), mesh.aabb.min.to_f64(), mesh.aabb.max.to_f64());
+            if (0..3).any(|k| o[k] < min[k] || o[k] > max[k]) {
+                return false;
+            }
             // The first crossing that is not a mere touch tells: outward from inside, inward from outside.
             let mut hits = world.all_hits(ray, id);
             hits.sort_by(|a, b| a.t.total_cmp(&b.t));

@@ -108,7 +108,8 @@ pub struct Visit<'a, R: Real, P> {
 pub struct Local {
     /// The ambient term.
     pub ambient: Rgb,
-    /// The terms of each light that a shadow ray was sent to, in the order of the scene. Empty where nothing is recorded.
+    /// The terms of each light that a shadow ray was sent to, in the order of the scene. Empty where nothing is
+    /// recorded.
     pub lights: Vec<LightTerm>,
     /// The sum of all terms.
     pub sum: Rgb,

@@ -5,7 +5,7 @@ use super::recorder::{Children, Kind, Outcome, Recorder, Secondary, Visit};
 use super::surface::Surface;
 use super::trace::{Budget, Path, Tracer};
 use crate::kernels::Ray;
-use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract};
+use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract, refraction_cosines};
 use crate::numbers::{Real, Vector3};
 use crate::scene::effects::Effect;
 use crate::scene::{Fresnel, Material, Rgb};
@@ -45,7 +45,7 @@ impl<R: Real> Tracer<'_, R> {
         if let Some(transmission) = material.transmission {
             self.begin(Effect::Refraction);
             let direction = refract(d, n, incident, transmitted);
-            split.fresnel = reflectance(material, d, n, direction, incident, transmitted);
+            split.fresnel = reflectance(material, d, n, incident, transmitted);
             if split.fresnel.is_some() {
                 self.begin(Effect::Fresnel);
             }
@@ -67,10 +67,10 @@ impl<R: Real> Tracer<'_, R> {
         } else if let Some(k) = reflection
             && material.fresnel.is_some()
         {
-            // An opaque body under a clear coat: no medium begins here, but the coat's index (in `surface.ior`) splits the light.
+            // An opaque body under a clear coat: no medium begins here, but the coat's index (in `surface.ior`) splits
+            // the light.
             self.begin(Effect::Fresnel);
-            let direction = refract(d, n, incident, transmitted);
-            split.fresnel = reflectance(material, d, n, direction, incident, transmitted);
+            split.fresnel = reflectance(material, d, n, incident, transmitted);
             reflection = Some(k * split.fresnel.unwrap_or(1.0));
         }
         if let Some(weight) = reflection {
@@ -133,15 +133,8 @@ impl<R: Real> Tracer<'_, R> {
     }
 }
 
-/// The Fresnel reflectance that the material asks for; 1 at total reflection (no transmitted direction).
-fn reflectance<R: Real>(
-    material: &Material,
-    d: R::Vec3,
-    n: R::Vec3,
-    transmitted_direction: Option<R::Vec3>,
-    incident: R,
-    transmitted: R,
-) -> Option<f64> {
+/// The Fresnel reflectance that the material asks for; 1 at total reflection.
+fn reflectance<R: Real>(material: &Material, d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> Option<f64> {
     let formula = match material.fresnel? {
         Fresnel::Exact => fresnel_exact::<f64>,
         Fresnel::Schlick => fresnel_schlick::<f64>,
@@ -150,9 +143,11 @@ fn reflectance<R: Real>(
         // Nothing parts the two sides; Schlick's formula alone would still reflect at grazing angles.
         return Some(0.0);
     }
-    let Some(transmitted_direction) = transmitted_direction else { return Some(1.0) };
+    // In f64 whatever the geometry's precision, as all that makes colours.
     let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
-    let (d, n, through) = (vector(d), vector(n), vector(transmitted_direction));
-    let cosine = |v: glam::DVec3| (-v.dot(n) / v.length()).clamp(0.0, 1.0);
-    Some(formula(cosine(d), cosine(through), incident.to_f64(), transmitted.to_f64()))
+    let (n_i, n_t) = (incident.to_f64(), transmitted.to_f64());
+    Some(match refraction_cosines::<f64>(vector(d), vector(n), n_i, n_t) {
+        Some([cos_incident, cos_transmitted]) => formula(cos_incident, cos_transmitted, n_i, n_t),
+        None => 1.0,
+    })
 }

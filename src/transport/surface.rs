@@ -47,7 +47,6 @@ impl<R: Real> Surface<R> {
         if smooth.is_some() {
             tracer.begin(Effect::SmoothNormals);
         }
-        let toward = |n: R::Vec3| if ray.direction.dot(n) > R::ZERO { -n } else { n };
         let side = match shape {
             Shape::Triangle { .. } => None,
             _ if ray.direction.dot(geometric_normal) < R::ZERO => Some(Side::Entering),
@@ -64,7 +63,12 @@ impl<R: Real> Surface<R> {
         if let Some(coat) = tracer.clear_coat(hit.nearest.object) {
             ior[1] = coat;
         }
-        let shading_normal = toward(smooth.unwrap_or(geometric_normal));
+        let flip = ray.direction.dot(geometric_normal) > R::ZERO;
+        let turned = |n: R::Vec3| if flip { -n } else { n };
+        let shading_normal = match smooth {
+            None => turned(geometric_normal),
+            Some(normal) => to_horizon::<R>(turned(normal), ray.direction),
+        };
         Self { hit, point, geometric_normal, shading_normal, side, ior, beyond }
     }
 }
@@ -76,4 +80,17 @@ fn smooth_normal<R: Real>(shape: &Shape, hit: &Hit<R>) -> Option<R::Vec3> {
     let [a, b, c] = barycentrics.map(Real::to_f64);
     let normal = (n0 * a + n1 * b + n2 * c).try_normalize()?;
     Some(R::Vec3::from_f64(normal.to_array()))
+}
+
+/// An interpolated normal that points away from a ray, as it may near an outline, bent until it is perpendicular to it.
+///
+/// Turning it round instead would make it point into the body, and the outline dark.
+fn to_horizon<R: Real>(normal: R::Vec3, direction: R::Vec3) -> R::Vec3 {
+    let (n, d) = (glam::DVec3::from_array(normal.to_f64()), glam::DVec3::from_array(direction.to_f64()));
+    let away = n.dot(d);
+    if away <= 0.0 {
+        return normal;
+    }
+    let bent = n - d * (away / d.length_squared());
+    bent.try_normalize().map_or(normal, |n| R::Vec3::from_f64(n.to_array()))
 }

@@ -8,7 +8,7 @@ use crate::hits::{Acceleration, Departure, Limit, World};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
 use crate::scene::effects::{Effect, EffectSet};
-use crate::scene::{Background, Limits, Numerics, ObjectId, Rgb, Scene};
+use crate::scene::{Background, LightId, LightKind, Limits, Numerics, ObjectId, Rgb, Scene};
 
 /// How to trace, where it is not the scene that says so.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +30,17 @@ impl Options {
             limits: scene.limits,
         }
     }
+}
+
+/// What of a scene is too large for the precision asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// The camera's eye.
+    Camera,
+    /// A light's position.
+    Light(LightId),
+    /// An object's coordinates.
+    Object(ObjectId),
 }
 
 /// A scene ready to be traced in one precision.
@@ -76,12 +87,28 @@ impl<'s, R: Real> Tracer<'s, R> {
     /// Makes `scene` ready.
     ///
     /// # Errors
-    /// The first object with a coordinate that is not finite in `R`.
-    pub fn new(scene: &'s Scene, options: Options) -> Result<Self, ObjectId> {
+    /// [`Unfit`] for the first thing with a coordinate above
+    /// [`Precision::largest_coordinate`](crate::numbers::Precision).
+    pub fn new(scene: &'s Scene, options: Options) -> Result<Self, Unfit> {
+        let largest = R::PRECISION.largest_coordinate();
+        let fits = |v: glam::DVec3| v.abs().max_element() <= largest;
+        if !fits(scene.camera.eye) {
+            return Err(Unfit::Camera);
+        }
+        for id in scene.light_ids() {
+            if let LightKind::Point { position } = scene.light(id).kind
+                && !fits(position)
+            {
+                return Err(Unfit::Light(id));
+            }
+        }
+        if let Some(id) = scene.object_ids().find(|&id| scene.object(id).shape.largest_coordinate() > largest) {
+            return Err(Unfit::Object(id));
+        }
         let ior = |id| scene.material_of(id).ior.map_or(R::ONE, R::from_f64);
         Ok(Self {
             scene,
-            world: World::new(scene, options.numerics, options.acceleration)?,
+            world: World::new(scene, options.numerics, options.acceleration),
             limits: options.limits,
             iors: scene.object_ids().map(ior).collect(),
             has_media: scene.object_ids().any(|id| scene.is_medium(id)),
@@ -89,8 +116,8 @@ impl<'s, R: Real> Tracer<'s, R> {
         })
     }
 
-    /// The same tracer with the code of some effects made to panic where it begins, in builds with debug assertions: that an
-    /// effect which nobody called for did not run is then more than a counter's word.
+    /// The same tracer with the code of some effects made to panic where it begins, in builds with debug assertions:
+    /// that an effect which nobody called for did not run is then more than a counter's word.
     pub fn with_masked(mut self, effects: EffectSet) -> Self {
         self.masked = effects;
         self

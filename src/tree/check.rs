@@ -1,15 +1,15 @@
 //! Reading a tree that anybody wrote, and saying where it is not one.
 
-use super::{FORMAT, Kind, Outcome, RayNode, RayTree};
+use super::{FORMAT, Kind, Ledger, Outcome, RayNode, RayTree};
 use crate::input::{JsonPath, Located, Problem, read_json};
 use crate::scene::Limits;
 
 /// The tree that a JSON text holds.
 ///
 /// # Errors
-/// One [`Problem`], located, for the first thing that is not as the schema has it, or that contradicts itself: another format,
-/// a child whose depth does not follow from its parent's, an outcome without what belongs to it, a vector that cannot be a
-/// direction.
+/// One [`Problem`], located, for the first thing that is not as the schema has it, or that contradicts itself: another
+/// format, a child whose depth does not follow from its parent's, an outcome without what belongs to it, a vector that
+/// cannot be a direction.
 pub fn read_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
     let located = Located { file, text };
     let tree: RayTree = read_json(located)?;
@@ -26,7 +26,37 @@ pub fn read_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
         return Err(located.problem(&path.child("depth"), "the root is not at depth 0", "0"));
     }
     check(located, &path, &tree.root)?;
+    let traced = tree.root.walk().filter(|node| node.outcome.is_traced()).count() as u64;
+    if tree.rays != traced {
+        let message = format!("{} rays are counted, and {traced} are there", tree.rays);
+        return Err(located.problem(
+            &root.child("rays"),
+            message,
+            "the number of nodes that were traced, shadow rays among them",
+        ));
+    }
+    if is_complete(&tree.root) {
+        let ledger = Ledger::of(&tree);
+        // The sum's own bound is for f64; other tracers may compute in f32.
+        if ledger.difference() > FOREIGN * ledger.bound / 1e-12 {
+            let message = format!("the nodes add up to {:?}", ledger.sum);
+            let help = "the sum of weight x local over the nodes, and of weight x radiance over the background";
+            return Err(located.problem(&root.child("color"), message, help));
+        }
+    }
     Ok(tree)
+}
+
+/// How far the colour of somebody's tree may be from what its nodes add up to, in the units of a ledger's bound.
+const FOREIGN: f64 = 1e-4;
+
+/// Whether every node says what it brings, so that the tree has to add up.
+fn is_complete(root: &RayNode) -> bool {
+    root.walk().filter(|node| node.kind != Kind::Shadow).all(|node| match node.outcome {
+        Outcome::Hit => node.local.is_some(),
+        Outcome::Background => node.radiance.is_some(),
+        _ => true,
+    })
 }
 
 fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Problem> {
@@ -41,7 +71,8 @@ fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Pr
     if shadow != matches!(node.outcome, Outcome::Lit | Outcome::Blocked | Outcome::RayBudget)
         && node.outcome != Outcome::RayBudget
     {
-        let help = "shadow rays are lit, blocked or ray_budget; others hit, background, max_depth, below_min_weight or ray_budget";
+        let help = "of shadow rays lit, blocked or ray_budget, of others hit, background, max_depth, below_min_weight or \
+                    ray_budget";
         return wrong("outcome", "this outcome does not go with this kind", help);
     }
     if shadow && node.light.is_none() {
@@ -57,6 +88,27 @@ fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Pr
         && !(hit.t >= 0.0)
     {
         return Err(located.problem(&path.child("hit").child("t"), "a hit behind the ray's start", "0 or larger"));
+    }
+    if let Some(fresnel) = node.fresnel
+        && !(0.0..=1.0).contains(&fresnel)
+    {
+        return wrong("fresnel", "a reflectance that is none", "0 to 1");
+    }
+    if node.t_max.is_some_and(|t_max| !(t_max > 0.0)) {
+        return wrong("t_max", "a span without any t in it", "larger than 0");
+    }
+    if let Some(hit) = &node.hit {
+        let path = path.child("hit");
+        let length = |v: [f64; 3]| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+        let normals = [("geometric_normal", Some(hit.geometric_normal)), ("shading_normal", hit.shading_normal)];
+        for (key, normal) in normals {
+            if normal.is_some_and(|n| !((length(n) - 1.0).abs() < 1e-5)) {
+                return Err(located.problem(&path.child(key), "a normal that is not of length 1", "a unit vector"));
+            }
+        }
+        if hit.barycentrics.is_some_and(|[a, b, c]| !((a + b + c - 1.0).abs() < 1e-5)) {
+            return Err(located.problem(&path.child("barycentrics"), "they do not add up to 1", "[a, b, 1-a-b]"));
+        }
     }
     if node.outcome != Outcome::Hit && node.children().next().is_some() {
         return wrong("outcome", "a ray with children that did not hit", "children belong to hits");

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Kind, Outcome, RayNode, RayTree};
+use crate::input::printable;
 
 /// One term of one node, times the node's weight.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -12,6 +13,7 @@ pub struct Entry {
     /// What the term is: `ambient`, `diffuse of sun`, `specular of sun`, `background`.
     pub term: String,
     /// The node's object, where it hit one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
     /// Linear RGB that it adds to the pixel.
     pub share: [f64; 3],
@@ -28,9 +30,9 @@ pub struct Ledger {
     pub color: [f64; 3],
     /// How far the two may be apart: `1e-12 * max(1, sum of |share|)`, the sum over the largest components.
     ///
-    /// Each share takes at most 64 products for its weight and a few for its term, each exact to 2^-53, and the recursion adds
-    /// the shares up in another order: below 2^-45 of the sum of magnitudes for any tree of up to 2^20 rays whose shares do
-    /// not grow with depth. 1e-12 is above 2^-40.
+    /// Each share takes at most 64 products for its weight and a few for its term, each exact to 2^-53, and the
+    /// recursion adds the shares up in another order: below 2^-45 of the sum of magnitudes for any tree of up to 2^20
+    /// rays whose shares do not grow with depth. 1e-12 is above 2^-40.
     pub bound: f64,
 }
 
@@ -61,10 +63,7 @@ impl Ledger {
 
     /// The ledger as JSON, indented.
     pub fn to_json(&self) -> String {
-        // Writing plain data of finite numbers and string keys into memory cannot fail.
-        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
-        json.push('\n');
-        json
+        super::layout::to_string(self)
     }
 
     /// The largest difference between the sum and the tree's colour.
@@ -104,7 +103,10 @@ impl fmt::Display for Ledger {
         let rows: Vec<[String; 3]> = self
             .entries
             .iter()
-            .map(|e| [e.path.clone(), e.object.clone().unwrap_or_else(|| "-".to_owned()), e.term.clone()])
+            .map(|e| {
+                let object = e.object.as_deref().map_or("-".into(), printable);
+                [e.path.clone(), object.into_owned(), printable(&e.term).into_owned()]
+            })
             .collect();
         let width = |column: usize, least: usize| {
             rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0).max(least)

@@ -1,10 +1,11 @@
 //! Floor 5: what was seen. The ray tree, its forms and what can be read off it. Knows nothing of drawing.
 //!
-//! A [`RayTree`] is plain data with the keys of the JSON format `raytree/1`; a key that is absent means "not there". [`record`]
-//! makes one, [`text`](RayTree::to_text) prints one, [`Ledger`] adds one up, [`check`] reads anybody's.
+//! A [`RayTree`] is plain data with the keys of the JSON format `raytree/1`; a key that is absent means "not there".
+//! [`record_pixel`] makes one, [`text`](RayTree::to_text) prints one, [`Ledger`] adds one up, [`check`] reads anybody's.
 
 pub mod check;
 mod costs;
+mod layout;
 mod ledger;
 mod record;
 mod steps;
@@ -18,6 +19,7 @@ pub use record::{Keep, Origin, record_pixel, record_ray};
 pub use steps::{BoundsRecord, ShapeRecord, TestRecord, Value, Verdict};
 pub use text::Show;
 
+use crate::input::{name, present};
 use crate::numbers::{Certificate, Precision};
 use crate::scene::Numerics;
 
@@ -27,21 +29,21 @@ pub const FORMAT: &str = "raytree/1";
 /// Every ray that one camera ray brought forth.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a ray tree, an object")]
+#[serde(deny_unknown_fields, expecting = "a ray tree (an object)")]
 pub struct RayTree {
     /// `raytree/1`.
     pub format: String,
     /// The program that wrote it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub generator: Option<Generator>,
     /// The scene it was traced in.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub scene: Option<SceneRef>,
     /// How it was traced.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub settings: Option<Settings>,
     /// The pixel `[x, y]`, `[0, 0]` top left; absent for a ray that belongs to none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub pixel: Option<[u32; 2]>,
     /// Linear RGB of the sample.
     pub color: [f64; 3],
@@ -59,7 +61,7 @@ pub struct Generator {
     /// Its name.
     pub name: String,
     /// Its version.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub version: Option<String>,
 }
 
@@ -71,7 +73,7 @@ pub struct SceneRef {
     /// The file as it was named.
     pub file: String,
     /// SHA-256 of the file's bytes followed by those of its meshes in the order of `objects`, in hexadecimal.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
 }
 
@@ -81,63 +83,63 @@ pub struct SceneRef {
 #[serde(deny_unknown_fields, expecting = "an object")]
 pub struct Settings {
     /// Of the geometry; colours are always f64.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub precision: Option<Precision>,
     /// The set of kernels.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
     /// Children are traced where `depth < max_depth`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
     /// Children whose largest weight component is below this are not traced.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub min_weight: Option<f64>,
     /// The most rays that are traced, shadow rays counted.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub ray_budget: Option<u64>,
 }
 
 /// One ray and what came of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a ray, an object")]
+#[serde(deny_unknown_fields, expecting = "a ray (an object)")]
 pub struct RayNode {
     /// What the ray is for.
     pub kind: Kind,
     /// The light that a shadow ray goes to.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub light: Option<String>,
     /// The recursion's level: 0 for the camera ray; a shadow ray has that of the hit it starts from.
     pub depth: u32,
     /// The share of its radiance that reaches the pixel, linear RGB. Shadow rays have none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub weight: Option<[f64; 3]>,
     /// Index of refraction of the medium that the ray travels in; absent for untraced rays.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub ior: Option<f64>,
     /// Where the ray starts.
     pub origin: [f64; 3],
     /// Where it goes; `t` is in units of its length.
     pub direction: [f64; 3],
     /// A hit counts where `t < t_max`; only where the span is bounded, as for a ray to a point light.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub t_max: Option<f64>,
     /// How it ended.
     pub outcome: Outcome,
     /// What it hit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub hit: Option<HitRecord>,
     /// How the verdict on the hit was reached: a function of the ray and the reported primitive alone.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
     /// What the surface itself sends back, after the shadow verdicts, before the weight.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub local: Option<Local>,
     /// What the ray brings back, before its weight, linear RGB. Shadow rays bring none.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub radiance: Option<[f64; 3]>,
     /// Fresnel reflectance at the hit, in [0, 1], where the material asks for it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub fresnel: Option<f64>,
     /// There, and true, where the surface reflected totally what it should have let through.
     #[serde(default, skip_serializing_if = "is_false")]
@@ -146,13 +148,13 @@ pub struct RayNode {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub shadows: Vec<RayNode>,
     /// The ray back from the surface.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub reflected: Option<Box<RayNode>>,
     /// The ray through the surface.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub refracted: Option<Box<RayNode>>,
     /// Every test of a box or shape, in order; only where steps were asked for.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub tests: Option<Vec<TestRecord>>,
 }
 
@@ -206,33 +208,33 @@ impl Outcome {
 /// What a ray hit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields, expecting = "a hit, an object")]
+#[serde(deny_unknown_fields, expecting = "a hit (an object)")]
 pub struct HitRecord {
     /// Ray parameter, 0 or larger, in units of the direction's length.
     pub t: f64,
     /// Where, in world space.
     pub point: [f64; 3],
     /// The object's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
     /// The object's place in the scene's `objects`, from 0.
     pub shape: u32,
     /// The triangle's place in its mesh, or the box's face: 0 to 5 for -x, +x, -y, +y, -z, +z.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub primitive: Option<u32>,
     /// `[a, b, 1-a-b]`, the weights of a triangle's v0, v1, v2.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub barycentrics: Option<[f64; 3]>,
     /// Unit and outward, never flipped; of a triangle (v1 - v0) x (v2 - v0).
     pub geometric_normal: [f64; 3],
     /// Unit, turned towards the ray.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub shading_normal: Option<[f64; 3]>,
     /// `entering` exactly when the ray goes against the geometric normal; absent for lone triangles.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub side: Option<Side>,
     /// Index of refraction on the incident and on the transmitted side.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub ior: Option<[f64; 2]>,
 }
 
@@ -276,7 +278,8 @@ pub struct LightTerms {
 }
 
 impl RayNode {
-    /// A ray with its outcome and nothing else; whoever emits a tree fills in what there is. Weight 1, but none for shadow rays.
+    /// A ray with its outcome and nothing else; whoever emits a tree fills in what there is. Weight 1, but none for
+    /// shadow rays.
     pub fn new(kind: Kind, depth: u32, origin: [f64; 3], direction: [f64; 3], outcome: Outcome) -> Self {
         Self {
             kind,
@@ -356,10 +359,15 @@ impl RayTree {
 
     /// The tree as JSON, indented; numbers are the shortest decimals that read back to the same bits.
     pub fn to_json(&self) -> String {
-        // Writing plain data of finite numbers and string keys into memory cannot fail.
-        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
-        json.push('\n');
-        json
+        layout::to_string(self)
+    }
+
+    /// Writes what [`RayTree::to_json`] gives, piece by piece.
+    ///
+    /// # Errors
+    /// What `out` says.
+    pub fn write_json(&self, out: &mut dyn std::io::Write) -> std::io::Result<()> {
+        layout::write(out, self)
     }
 
     /// The JSON Schema of the format.

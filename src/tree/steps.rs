@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::hits::{BoundsVerdict, Quantity, Reason, Test};
-use crate::input::Named;
+use crate::input::{Named, present};
 use crate::kernels::Miss;
 use crate::scene::ObjectId;
 
@@ -24,31 +24,31 @@ pub enum TestRecord {
 #[serde(deny_unknown_fields, expecting = "an object")]
 pub struct BoundsRecord {
     /// The node of the hierarchy, from 0, parents first; absent in a list.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub node: Option<u32>,
     /// The object's name, where the box is around one object or a part of it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
     /// The object's place in the scene.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub shape: Option<u32>,
     /// The triangle, where the box is around one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub primitive: Option<u32>,
     /// The box's smallest coordinates.
     pub min: [f64; 3],
     /// The box's largest coordinates.
     pub max: [f64; 3],
     /// Where the ray enters, 0 or larger, a little too small; absent where it misses the slab of an axis it runs along.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub t_in: Option<f64>,
     /// Where the ray leaves, a little too large; absent where it never does, or misses.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub t_out: Option<f64>,
     /// Whether what is inside is looked at.
     pub verdict: Verdict,
     /// Why not.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
@@ -58,23 +58,23 @@ pub struct BoundsRecord {
 #[serde(deny_unknown_fields, expecting = "an object")]
 pub struct ShapeRecord {
     /// The object's name.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
     /// The object's place in the scene.
     pub shape: u32,
     /// The triangle of a mesh.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub primitive: Option<u32>,
     /// The kernel's intermediate values, in the order in which they arise, under the letters of its source.
     #[serde(default)]
     pub values: Named<Value>,
     /// Ray parameter, where there is a hit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub t: Option<f64>,
     /// Whether this is the best hit so far.
     pub verdict: Verdict,
     /// Why not.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub reason: Option<String>,
 }
 
@@ -167,6 +167,7 @@ fn words(reason: Reason) -> &'static str {
         Reason::BeyondLight => "not before the light",
         Reason::Left => "the ray starts on it",
         Reason::CoplanarWithLeft => "in the plane that the ray starts on",
+        Reason::NotFinite => "t is not finite",
         Reason::BeforeItsBox => "in front of its box",
     }
 }

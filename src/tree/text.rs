@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::steps::{TestRecord, Value, Verdict};
+use crate::input::printable;
 use crate::numbers::Stage;
 
 use super::{Kind, Outcome, RayNode, RayTree};
@@ -17,8 +18,8 @@ pub struct Show<'a> {
 }
 
 impl RayTree {
-    /// The tree as text: a line for the pixel, then a line a ray, children below their parent, and below each ray the tests
-    /// it took where the tree has them. Numbers are rounded to six significant digits.
+    /// The tree as text: a line for the pixel, then a line a ray, children below their parent, and below each ray the
+    /// tests it took where the tree has them. Numbers are rounded to six significant digits.
     pub fn to_text(&self, show: Show<'_>) -> String {
         let mut out = String::new();
         let mut head = match self.pixel {
@@ -26,7 +27,7 @@ impl RayTree {
             None => "ray".to_owned(),
         };
         if let Some(name) = show.name {
-            write!(head, "  {name}").ok();
+            write!(head, "  \"{}\"", printable(name)).ok();
         }
         let plural = if self.rays == 1 { "" } else { "s" };
         writeln!(out, "{head}   rgb {}   {} ray{plural}", vector(self.color), self.rays).ok();
@@ -58,7 +59,7 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
         Kind::Refracted => "refracted",
     };
     let what = match (&node.light, node.weight) {
-        (Some(light), _) => format!("-> {light}"),
+        (Some(light), _) => format!("-> {}", printable(light)),
         (None, Some(w)) if w[0] == w[1] && w[1] == w[2] => format!("depth {}  w {}", node.depth, number(w[0])),
         (None, Some(w)) => format!("depth {}  w ({})", node.depth, vector(w)),
         (None, None) => format!("depth {}", node.depth),
@@ -68,13 +69,17 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
     line.extend(std::iter::repeat_n(' ', gap));
     match (&node.hit, node.outcome) {
         (Some(hit), outcome) => {
-            let object = hit.object.clone().unwrap_or_else(|| format!("shape {}", hit.shape));
             let word = if outcome == Outcome::Blocked { "blocked by" } else { "hit" };
-            write!(line, "{word} {object:?}").ok();
-            if let Some(primitive) = hit.primitive {
-                write!(line, " #{primitive}").ok();
-            }
+            write!(line, "{word}{}", place(hit.object.as_deref(), hit.shape)).ok();
+            match (hit.primitive, hit.barycentrics) {
+                (Some(face @ 0..6), None) => write!(line, " {}", FACES[face as usize]).ok(),
+                (Some(primitive), _) => write!(line, " #{primitive}").ok(),
+                (None, _) => None,
+            };
             write!(line, " t {}", number(hit.t)).ok();
+            if let (Some(abc), Outcome::Hit) = (hit.barycentrics, outcome) {
+                write!(line, "  abc ({})", vector(abc)).ok();
+            }
             if outcome == Outcome::Hit {
                 write!(line, "  n ({})", vector(hit.shading_normal.unwrap_or(hit.geometric_normal))).ok();
                 if let Some([incident, transmitted]) = hit.ior
@@ -112,23 +117,30 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
     line
 }
 
+/// The faces of a box, by primitive.
+const FACES: [&str; 6] = ["-x", "+x", "-y", "+y", "-z", "+z"];
+
+fn place(object: Option<&str>, shape: u32) -> String {
+    match object {
+        Some(object) => format!(" \"{}\"", printable(object)),
+        None => format!(" shape {shape}"),
+    }
+}
+
 fn test_line(test: &TestRecord) -> String {
     let mut line = String::new();
-    let place = |line: &mut String, object: &Option<String>, primitive: Option<u32>| {
-        if let Some(object) = object {
-            write!(line, " {object:?}").ok();
-        }
-        if let Some(primitive) = primitive {
-            write!(line, " #{primitive}").ok();
-        }
-    };
     let (verdict, reason) = match test {
         TestRecord::Bounds(test) => {
             line.push_str("box of");
             if let Some(node) = test.node {
                 write!(line, " node {node}").ok();
             }
-            place(&mut line, &test.object, test.primitive);
+            if let Some(shape) = test.shape {
+                line.push_str(&place(test.object.as_deref(), shape));
+            }
+            if let Some(primitive) = test.primitive {
+                write!(line, " #{primitive}").ok();
+            }
             for (name, t) in [("t_in", test.t_in), ("t_out", test.t_out)] {
                 if let Some(t) = t {
                     write!(line, "  {name} {}", number(t)).ok();
@@ -138,11 +150,14 @@ fn test_line(test: &TestRecord) -> String {
         }
         TestRecord::Shape(test) => {
             line.push_str("test");
-            place(&mut line, &test.object, test.primitive);
+            line.push_str(&place(test.object.as_deref(), test.shape));
+            if let Some(primitive) = test.primitive {
+                write!(line, " #{primitive}").ok();
+            }
             for (name, value) in &test.values.0 {
                 match value {
-                    Value::Number(x) => write!(line, "  {name} {}", number(*x)).ok(),
-                    Value::Vector(v) => write!(line, "  {name} ({})", vector(*v)).ok(),
+                    Value::Number(x) => write!(line, "  {} {}", printable(name), number(*x)).ok(),
+                    Value::Vector(v) => write!(line, "  {} ({})", printable(name), vector(*v)).ok(),
                 };
             }
             if let Some(t) = test.t {
@@ -158,7 +173,7 @@ fn test_line(test: &TestRecord) -> String {
     };
     write!(line, "  {verdict}").ok();
     if let Some(reason) = reason {
-        write!(line, ": {reason}").ok();
+        write!(line, ": {}", printable(reason)).ok();
     }
     line
 }

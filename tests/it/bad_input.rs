@@ -65,6 +65,16 @@ fn scenes() {
         to("\"red\": {", "\"red\": {}, \"red\": {"),
         to("\"radius\": 1", "\"radius\": \"one\""),
         to("\"radius\": 1", "\"radius\": null"),
+        to("\"max_depth\": 3", "\"max_depth\": null"),
+        to("\"max_depth\": 3", "\"max_depth\": 4294967296"),
+        to("\"diffuse\": 1", "\"reflection\": 1, \"ior\": 1.5, \"fresnel\": false"),
+        to("\"eye\": [0, 0, 5]", "\"eye\": [0, 0, 5, 1]"),
+        to("[4, 3]", "[4, 3, 2]"),
+        to("\"middle\"", "\"1,2\""),
+        to("{ \"sphere\": { \"center\": [0, 0, 0], \"radius\": 1 } }", "{}"),
+        to("{ \"sphere\": { \"center\": [0, 0, 0], \"radius\": 1 } }", "\"sphere\""),
+        to("\"radius\": 1 }", "\"radius\": 1 }, \"box\": { \"min\": [0, 0, 0], \"max\": [1, 1, 1] }"),
+        to("\"radius\": 1", "\"radius\": 1."),
         to("\"center\": [0, 0, 0]", "\"center\": [0, 0]"),
         to("\"diffuse\": 1", "\"diffuse\": [1, 0.5]"),
         to("\"diffuse\": 1", "\"diffuse\": false"),
@@ -148,6 +158,11 @@ fn trees() {
         ("\"direction\": [0, 0, -1]", "\"direction\": [0, 0, 0]"),
         ("\"weight\": [1, 1, 1], \"origin\": [0, 0, 1]", "\"origin\": [0, 0, 1]"),
         ("\"rays\": 2", "\"rays\": -2"),
+        ("\"rays\": 2", "\"rays\": 3"),
+        ("\"color\": [0, 0, 0]", "\"color\": [0, 0, 0, 1]"),
+        ("[0, 0, -1] },", "[0, 0, -2] },"),
+        ("\"outcome\": \"hit\"", "\"outcome\": \"hit\", \"fresnel\": 1.5"),
+        ("\"outcome\": \"hit\"", "\"outcome\": \"hit\", \"t_max\": 0"),
     ];
     let mut told_all = Vec::new();
     for (from, to) in cases {
@@ -161,6 +176,11 @@ fn trees() {
 #[test]
 fn nesting_without_end_is_refused() {
     let deep = "[".repeat(200_000);
-    assert!(load(&deep).unwrap_err().message.contains("recursion"));
-    assert!(read_tree("deep.json", &format!("{{\"root\": {deep}")).is_err());
+    assert!(load(&deep).unwrap_err().message.contains("EOF"));
+    let closed = format!("{deep}{}", "]".repeat(200_000));
+    for key in ["about", "objects", "pixels"] {
+        let problem = load(&GOOD.replacen('{', &format!("{{ \"{key}\": {closed},"), 1)).unwrap_err();
+        assert!(problem.place.is_some(), "{problem}");
+    }
+    assert!(read_tree("deep.json", &format!("{{ \"format\": \"raytree/1\", \"root\": {closed} }}")).is_err());
 }

@@ -156,7 +156,8 @@ fn of_coincident_surfaces_the_first_is_seen() {
     }
 }
 
-/// The hash of every scene's picture in every format. A release build has to give the same: `.ci/run` runs this test in both.
+/// The hash of every scene's picture in every format. A release build has to give the same: `.ci/run` runs this test in
+/// both.
 #[test]
 fn hashes_of_pictures() {
     let mut lines = Vec::new();

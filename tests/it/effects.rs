@@ -31,7 +31,7 @@ fn what_was_not_called_for_does_not_run() {
 #[test]
 fn a_mask_panics_exactly_where_the_effect_runs() {
     let light = r#", "lights": [{ "point": { "position": [0, 5, 5], "color": [1, 1, 1] } }]"#;
-    let ball = r#"{ "material": "m", "shape": { "sphere": { "center": [0, 0, -3], "radius": 2.5 } } }"#;
+    let ball = r#"{ "material": "m", "shape": { "sphere": { "center": [0, 0, -3], "radius": 1 } } }"#;
     let cases = [
         (Effect::Ambient, r#""ambient": 1"#, ""),
         (Effect::Diffuse, r#""diffuse": 1"#, light),

@@ -1,4 +1,5 @@
-//! Damaged scenes and trees by the thousand: a result or an error, never a panic, never a hang, never a colour that is none.
+//! Damaged scenes and trees by the thousand: a result or an error, never a panic, never a hang, never a colour that is
+//! none.
 
 use std::cell::Cell;
 

@@ -9,6 +9,7 @@ mod kernels;
 mod ledger;
 mod media;
 mod mesh;
+mod pages;
 mod recursion;
 mod schemas;
 mod steps;

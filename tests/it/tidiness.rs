@@ -78,7 +78,7 @@ fn only_the_film_names_image_and_only_commands_print() {
             assert!(!prints, "{path:?}: {line}");
             let streams = ["stdout()", "stderr()", "stdin()"].iter().any(|word| line.contains(word));
             assert!(!streams || in_commands, "{path:?}: {line}");
-            assert!(!line.contains("process::exit"), "{path:?}: {line}");
+            assert!(!line.contains("process::exit") || path.ends_with("commands/failure.rs"), "{path:?}: {line}");
             let opens = ["File::open", "fs::read"].iter().any(|word| line.contains(word));
             assert!(!opens || path.ends_with("scene/files.rs"), "{path:?}: {line}");
         }
@@ -87,11 +87,11 @@ fn only_the_film_names_image_and_only_commands_print() {
 
 #[test]
 fn nothing_is_left_unfinished() {
-    for (path, source) in sources("src").into_iter().chain(sources("benches")) {
+    for (path, source) in sources("src") {
         for word in ["todo!(", "unimplemented!(", "FIXME", "XXX", "#[ignore", "dyn Shape"] {
             assert!(!source.contains(word), "{path:?} contains {word}");
         }
-        let long = source.lines().position(|line| line.chars().count() > 140);
+        let long = source.lines().position(|line| line.chars().count() > 130);
         assert_eq!(long, None, "{path:?} has a line that nobody can read");
     }
 }

@@ -7,7 +7,7 @@ use raytree::tree::{Keep, Show};
 
 use crate::support::{scenes, tracer, tree};
 
-const FOLDER: &str = "tests/snapshots/trees";
+const FOLDER: &str = "tests/it/snapshots/trees";
 
 fn slug(name: &str) -> String {
     let dash = |c: char| if c.is_alphanumeric() { c.to_ascii_lowercase() } else { '-' };

@@ -1,4 +1,5 @@
-//! What a renderer's own tests look like with this crate: its rays as a tree, the text as a snapshot. The README shows this file.
+//! What a renderer's own tests look like with this crate: its rays as a tree, the text as a snapshot. The README shows
+//! this file.
 
 // [the example]
 use raytree::tree::{HitRecord, Kind, Outcome, RayNode, RayTree, Show};

@@ -1,6 +1,7 @@
 //! Kernels against a referee that shares no code with them: rational arithmetic.
 //!
-//! Sets are random with fixed seeds. `cargo test kernels -- --nocapture` prints how often the floating-point forms are wrong.
+//! Sets are random with fixed seeds. `cargo test kernels -- --nocapture` prints how often the floating-point forms are
+//! wrong.
 
 mod aabb;
 mod hard_cases;

@@ -141,7 +141,8 @@ fn transmitted_cosine_is_exact_where_the_usual_form_is_not() {
     assert!(wrong.iter().all(|count| *count > 1000));
 }
 
-/// Rows F01 to F08 of the hard cases: eta, cosine, the exact transmitted cosine, and whether the usual f32 form gets the verdict right.
+/// Rows F01 to F08 of the hard cases: eta, cosine, the exact transmitted cosine, and whether the usual f32 form gets
+/// the verdict right.
 #[test]
 fn rows_f_at_the_critical_angle() {
     let up = |n: i32| 1.0f32 + 2f32.powi(-n);

@@ -1,0 +1,55 @@
+//! The pages show what the program prints: each block below an `output` or `code` comment is made by it.
+//!
+//! `UPDATE_PAGES=1 cargo test pages` writes them anew.
+
+use std::process::Command;
+
+fn raytree(args: &[&str]) -> (String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_raytree")).args(args).output().unwrap();
+    (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// What belongs into the block below a comment.
+fn content(comment: &str) -> String {
+    match comment {
+        "output: pixel scenes/whitted.json \"mirrored glass ball\"" => {
+            raytree(&["pixel", "scenes/whitted.json", "mirrored glass ball"]).0
+        }
+        "output: check of a misspelt scene" => {
+            let folder = tempfile::tempdir().unwrap();
+            let file = folder.path().join("ball.json");
+            let scene = std::fs::read_to_string("scenes/first-hit.json").unwrap();
+            std::fs::write(&file, scene.replacen("\"radius\"", "\"radus\"", 1)).unwrap();
+            let file = file.to_str().unwrap();
+            raytree(&["check", file]).1.replace(file, "ball.json")
+        }
+        "code: tests/it/users_snapshot.rs" => {
+            let source = std::fs::read_to_string("tests/it/users_snapshot.rs").unwrap();
+            source.split("// [the example]\n").nth(1).unwrap().to_owned()
+        }
+        other => panic!("nobody knows what belongs below `{other}`"),
+    }
+}
+
+#[test]
+fn every_block_is_up_to_date() {
+    let page = std::fs::read_to_string("README.md").unwrap();
+    let mut made = String::new();
+    let mut lines = page.lines().peekable();
+    while let Some(line) = lines.next() {
+        made += &format!("{line}\n");
+        let comment = line.strip_prefix("<!-- ").and_then(|rest| rest.strip_suffix(" -->"));
+        if let Some(comment) = comment.filter(|c| c.starts_with("output: ") || c.starts_with("code: ")) {
+            made += &format!("{}\n", lines.next().unwrap());
+            for line in content(comment).lines() {
+                made += &format!("{}\n", line.trim_end());
+            }
+            lines.find(|line| *line == "```").unwrap();
+            made += "```\n";
+        }
+    }
+    if std::env::var_os("UPDATE_PAGES").is_some() {
+        std::fs::write("README.md", &made).unwrap();
+    }
+    assert!(page == made || std::env::var_os("UPDATE_PAGES").is_some(), "README.md: UPDATE_PAGES=1 cargo test pages");
+}
