@@ -50,6 +50,7 @@ enum Command {
 
 /// Runs the command line `args`, the program's name first, and returns the exit code.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
+    progress::watch();
     let cli = match Cli::try_parse_from(args.into_iter().map(options::shield_vector)) {
         Ok(cli) => cli,
         Err(error) => {

@@ -3,8 +3,10 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::failure::Failure;
+use super::progress;
 use crate::input::Problem;
 
 /// What writes a result.
@@ -69,7 +71,7 @@ impl Target {
         let written = match self {
             Self::Stdout => buffered(io::stdout().lock(), write),
             Self::Device(path) => File::options().write(true).open(path).and_then(|file| buffered(file, write)),
-            Self::File(path) => write_file(path, write),
+            Self::File(path) => progress::stoppable(|stop| write_file(path, write, stop))?,
         };
         written.map_err(|error| Failure::from_write(&name, &error))
     }
@@ -93,8 +95,18 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Writes under a temporary name beside the file, then renames: the file is whole, or as it was.
-fn write_file(target: &Path, write: Box<Writer<'_>>) -> io::Result<()> {
+/// Writes under a temporary name beside the file, then renames: the file is whole, or as it was. Nothing if stopped
+/// before that.
+fn write_file(target: &Path, write: Box<Writer<'_>>, stop: &AtomicBool) -> Option<io::Result<()>> {
+    let written = temporary(target, write);
+    if stop.load(Ordering::SeqCst) {
+        return None;
+    }
+    Some(written.and_then(|temporary| temporary.persist(target).map(drop).map_err(|error| error.error)))
+}
+
+/// The result in a file of its own beside the target, which is gone if it is dropped.
+fn temporary(target: &Path, write: Box<Writer<'_>>) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".raytree-");
     #[cfg(unix)]
@@ -106,6 +118,5 @@ fn write_file(target: &Path, write: Box<Writer<'_>>) -> io::Result<()> {
     }
     let temporary = builder.tempfile_in(folder_of(target))?;
     buffered(&temporary, write)?;
-    temporary.persist(target).map_err(|error| error.error)?;
-    Ok(())
+    Ok(temporary)
 }

@@ -12,24 +12,24 @@ static STOP: AtomicBool = AtomicBool::new(false);
 /// Whether such work is going on.
 static LOOKING: AtomicBool = AtomicBool::new(false);
 
-/// Runs work that looks at the flag it is given; Ctrl-C sets the flag meanwhile, and ends the program at once at other
-/// times.
-pub(super) fn stoppable<T>(work: impl FnOnce(&AtomicBool) -> Option<T>) -> Result<T, Failure> {
-    // Only the first call installs the handler; that a later one fails is as it should be.
+/// From now on Ctrl-C sets a flag while [`stoppable`] work goes on, and ends the program at once at other times.
+pub(super) fn watch() {
     ctrlc::set_handler(|| {
         STOP.store(true, Ordering::SeqCst);
         if !LOOKING.load(Ordering::SeqCst) {
             Failure::Interrupted.exit();
         }
     })
+    // Without a handler Ctrl-C still ends the program, if less politely.
     .ok();
+}
+
+/// Runs work that looks at the flag it is given, and returns nothing if that made it stop.
+pub(super) fn stoppable<T>(work: impl FnOnce(&AtomicBool) -> Option<T>) -> Result<T, Failure> {
     LOOKING.store(true, Ordering::SeqCst);
     let done = work(&STOP);
     LOOKING.store(false, Ordering::SeqCst);
-    match done {
-        Some(done) if !STOP.load(Ordering::SeqCst) => Ok(done),
-        _ => Err(Failure::Interrupted),
-    }
+    done.ok_or(Failure::Interrupted)
 }
 
 /// A bar over `steps` steps; invisible unless standard error is a terminal.

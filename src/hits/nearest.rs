@@ -86,6 +86,24 @@ pub enum Limit {
     Below(f64),
 }
 
+impl Limit {
+    /// Boxes that begin beyond this hold no hit that counts.
+    fn end(self) -> f64 {
+        match self {
+            Self::None => f64::INFINITY,
+            Self::Below(t_max) => t_max,
+        }
+    }
+
+    /// Whether a hit counts; exact under certified numerics.
+    fn admits<R: Real>(self, world: &World<R>, ray: &Ray<R>, candidate: &Candidate<R>) -> bool {
+        match self {
+            Self::None => true,
+            Self::Below(t_max) => is_below(world, ray, candidate, t_max),
+        }
+    }
+}
+
 /// The order of two hits along a ray: exact under certified numerics.
 pub(super) fn compare<R: Real>(world: &World<R>, ray: &Ray<R>, a: &Candidate<R>, b: &Candidate<R>) -> Ordering {
     if a.t + a.t_error < b.t - b.t_error {
@@ -153,11 +171,7 @@ pub(super) struct Nearest<R> {
 
 impl<R: Real> Nearest<R> {
     pub(super) fn new(t_max: Limit) -> Self {
-        let limit = match t_max {
-            Limit::None => f64::INFINITY,
-            Limit::Below(t_max) => t_max,
-        };
-        Self { best: None, tied: false, t_max, limit }
+        Self { best: None, tied: false, t_max, limit: t_max.end() }
     }
 }
 
@@ -167,9 +181,7 @@ impl<R: Real> Sink<R> for Nearest<R> {
         self.limit
     }
     fn offer(&mut self, world: &World<R>, ray: &Ray<R>, candidate: Candidate<R>) -> Result<(), Reason> {
-        if let Limit::Below(t_max) = self.t_max
-            && !is_below(world, ray, &candidate, t_max)
-        {
+        if !self.t_max.admits(world, ray, &candidate) {
             return Err(Reason::BeyondLight);
         }
         if let Some(best) = &self.best {
@@ -200,11 +212,7 @@ pub(super) struct Any {
 
 impl Any {
     pub(super) fn new(t_max: Limit) -> Self {
-        let limit = match t_max {
-            Limit::None => f64::INFINITY,
-            Limit::Below(t_max) => t_max,
-        };
-        Self { found: false, t_max, limit }
+        Self { found: false, t_max, limit: t_max.end() }
     }
 }
 
@@ -214,9 +222,7 @@ impl<R: Real> Sink<R> for Any {
         self.limit
     }
     fn offer(&mut self, world: &World<R>, ray: &Ray<R>, candidate: Candidate<R>) -> Result<(), Reason> {
-        if let Limit::Below(t_max) = self.t_max
-            && !is_below(world, ray, &candidate, t_max)
-        {
+        if !self.t_max.admits(world, ray, &candidate) {
             return Err(Reason::BeyondLight);
         }
         self.found = true;

@@ -13,9 +13,9 @@
 //!
 //! With `P = |d|^2 |n|^2`. In f64: each square of a length 3 roundings, P 7, `n_t^2 P` 9; `d.n` is within
 //! `3 u |d||n|`, its square within `7 u P`, the bracket within `15 u P`, times `n_i^2` within `17 u n_i^2 P`; the
-//! difference rounds by `u` of at most `(n_t^2 + n_i^2) P`: `10 u n_t^2 P + 18 u n_i^2 P`. Taken as `24 u (n_t^2 + n_i^2) P`. In double-double, with 8 u^2
-//! a product and 3 u^2 a sum, the same count gives `31 u^2 n_t^2 P + 57 u^2 n_i^2 P`, and `8 u` times the filter's
-//! bound is `192 u^2` of each.
+//! difference rounds by `u` of at most `(n_t^2 + n_i^2) P`: `10 u n_t^2 P + 18 u n_i^2 P`. Taken as
+//! `24 u (n_t^2 + n_i^2) P`. In double-double, with 8 u^2 a product and 3 u^2 a sum, the same count gives
+//! `31 u^2 n_t^2 P + 57 u^2 n_i^2 P`, and `8 u` times the filter's bound is `192 u^2` of each.
 
 use crate::numbers::{Certificate, DoubleDouble, Expansion, Known, Real, Ring, Stage, U, Vector3, dot};
 

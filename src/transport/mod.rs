@@ -1,7 +1,7 @@
 //! Floor 4: light transport. Knows nothing of JSON, files, printing.
 //!
-//! `Tracer::trace` and `Tracer::shade`, in `trace.rs`, are the lecture's Trace and Shade; a [`Recorder`] folds every finished ray
-//! and its finished children into a node, or vanishes.
+//! `Tracer::trace` and `Tracer::shade`, in `trace.rs`, are the lecture's Trace and Shade; a [`Recorder`] folds every
+//! finished ray and its finished children into a node, or vanishes.
 
 mod direct;
 mod leaving;

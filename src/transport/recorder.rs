@@ -52,7 +52,9 @@ pub enum Secondary {
 }
 
 /// How a ray ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// On a surface.
     Hit,
@@ -68,6 +70,13 @@ pub enum Outcome {
     BelowMinWeight,
     /// Not traced: the pixel's rays are spent.
     RayBudget,
+}
+
+impl Outcome {
+    /// Whether the ray was traced at all.
+    pub fn is_traced(self) -> bool {
+        !matches!(self, Self::MaxDepth | Self::BelowMinWeight | Self::RayBudget)
+    }
 }
 
 /// A finished ray. Radiance and local terms are linear RGB before the ray's weight.

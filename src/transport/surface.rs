@@ -9,11 +9,13 @@ use crate::scene::Shape;
 use crate::scene::effects::Effect;
 
 /// Which way a ray crosses a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
 pub enum Side {
-    /// Against the outward normal: `d . n < 0`.
+    /// Against the outward geometric normal: `d . n < 0`.
     Entering,
-    /// Otherwise.
+    /// Along it, or in the surface.
     Leaving,
 }
 

@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 
 use crate::hits::Count;
 use crate::numbers::Real;
-use crate::transport::{Children, Kind, Outcome, Recorder, Secondary, Visit};
+use crate::transport::{Children, Kind, Recorder, Secondary, Visit};
 
 /// Counts of one ray and all that it brought forth; they add up over pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,12 +55,12 @@ impl Recorder for Cost {
     fn node<R: Real>(&self, visit: Visit<'_, R, Count>, children: Children<Costs>) -> Costs {
         let mut costs =
             Costs { total_reflections: u64::from(visit.total_reflection), tests: visit.probe.0, ..Costs::default() };
-        let counter = match (visit.outcome, visit.kind) {
-            (Outcome::MaxDepth | Outcome::BelowMinWeight | Outcome::RayBudget, _) => &mut costs.untraced,
-            (_, Kind::Camera) => &mut costs.camera,
-            (_, Kind::Shadow(_)) => &mut costs.shadow,
-            (_, Kind::Secondary(Secondary::Reflected)) => &mut costs.reflected,
-            (_, Kind::Secondary(Secondary::Refracted)) => &mut costs.refracted,
+        let counter = match visit.kind {
+            _ if !visit.outcome.is_traced() => &mut costs.untraced,
+            Kind::Camera => &mut costs.camera,
+            Kind::Shadow(_) => &mut costs.shadow,
+            Kind::Secondary(Secondary::Reflected) => &mut costs.reflected,
+            Kind::Secondary(Secondary::Refracted) => &mut costs.refracted,
         };
         *counter = 1;
         for child in children.shadows.into_iter().chain(children.reflected).chain(children.refracted) {

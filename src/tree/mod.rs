@@ -1,7 +1,8 @@
 //! Floor 5: what was seen. The ray tree, its forms and what can be read off it. Knows nothing of drawing.
 //!
 //! A [`RayTree`] is plain data with the keys of the JSON format `raytree/1`; a key that is absent means "not there".
-//! [`record_pixel`] makes one, [`text`](RayTree::to_text) prints one, [`Ledger`] adds one up, [`check`] reads anybody's.
+//! [`record_pixel`] makes one, [`text`](RayTree::to_text) prints one, [`Ledger`] adds one up, [`check`] reads
+//! anybody's.
 
 pub mod check;
 mod costs;
@@ -22,6 +23,7 @@ pub use text::Show;
 use crate::input::{name, present};
 use crate::numbers::{Certificate, Precision};
 use crate::scene::Numerics;
+pub use crate::transport::{Outcome, Side};
 
 /// The format's name and version, the value of the key `format`.
 pub const FORMAT: &str = "raytree/1";
@@ -177,34 +179,6 @@ pub enum Kind {
     Refracted,
 }
 
-/// How a ray ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Outcome {
-    /// On a surface.
-    Hit,
-    /// Nowhere: it brings back the background.
-    Background,
-    /// A shadow ray that reached its light.
-    Lit,
-    /// A shadow ray that did not.
-    Blocked,
-    /// Not traced: deeper than `max_depth`.
-    MaxDepth,
-    /// Not traced: its weight is below `min_weight`.
-    BelowMinWeight,
-    /// Not traced: `ray_budget` is spent.
-    RayBudget,
-}
-
-impl Outcome {
-    /// Whether the ray was traced at all.
-    pub fn is_traced(self) -> bool {
-        !matches!(self, Self::MaxDepth | Self::BelowMinWeight | Self::RayBudget)
-    }
-}
-
 /// What a ray hit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -236,17 +210,6 @@ pub struct HitRecord {
     /// Index of refraction on the incident and on the transmitted side.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub ior: Option<[f64; 2]>,
-}
-
-/// Which way a ray crosses a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Side {
-    /// Against the geometric normal.
-    Entering,
-    /// Along it, or in the surface.
-    Leaving,
 }
 
 /// What a surface itself sends back along a ray, after the shadow verdicts, before the ray's weight.

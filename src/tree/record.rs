@@ -1,7 +1,7 @@
 //! The recorder that keeps everything, and the tree it makes.
 
 use super::steps::TestRecord;
-use super::{Generator, HitRecord, Kind, LightTerms, Local, Outcome, RayNode, RayTree, SceneRef, Settings, Side};
+use super::{Generator, HitRecord, Kind, LightTerms, Local, RayNode, RayTree, SceneRef, Settings};
 use crate::hits::{Detail, Probe, Tests};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
@@ -95,7 +95,7 @@ impl Recorder for Steps {
         let names = |id| visit.tracer.scene().object(id).name.clone();
         let tests = std::mem::take(&mut visit.probe.0);
         let tests = tests.into_iter().map(|test| TestRecord::new(test, names)).collect();
-        let traced = outcome(visit.outcome).is_traced();
+        let traced = visit.outcome.is_traced();
         let mut node = node(visit, children);
         node.tests = traced.then_some(tests);
         node
@@ -135,7 +135,7 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         origin: visit.ray.origin.to_f64(),
         direction: visit.ray.direction.to_f64(),
         t_max: visit.t_max,
-        outcome: outcome(visit.outcome),
+        outcome: visit.outcome,
         hit: visit.surface.map(|surface| hit(visit.tracer, surface)),
         certificate,
         local,
@@ -147,18 +147,6 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         refracted: children.refracted,
         tests: None,
     })
-}
-
-fn outcome(outcome: transport::Outcome) -> Outcome {
-    match outcome {
-        transport::Outcome::Hit => Outcome::Hit,
-        transport::Outcome::Background => Outcome::Background,
-        transport::Outcome::Lit => Outcome::Lit,
-        transport::Outcome::Blocked => Outcome::Blocked,
-        transport::Outcome::MaxDepth => Outcome::MaxDepth,
-        transport::Outcome::BelowMinWeight => Outcome::BelowMinWeight,
-        transport::Outcome::RayBudget => Outcome::RayBudget,
-    }
 }
 
 fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
@@ -176,10 +164,7 @@ fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
         },
         geometric_normal: surface.geometric_normal.to_f64(),
         shading_normal: Some(surface.shading_normal.to_f64()),
-        side: surface.side.map(|side| match side {
-            transport::Side::Entering => Side::Entering,
-            transport::Side::Leaving => Side::Leaving,
-        }),
+        side: surface.side,
         ior: Some(surface.ior.map(Real::to_f64)),
     }
 }

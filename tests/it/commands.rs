@@ -215,6 +215,17 @@ fn ctrl_c_leaves_nothing_behind() {
     assert_eq!(there, ["huge.json"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_what_waits() {
+    let mut child = raytree().args(["pixel", "-", "0,0"]).stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let stdin = child.stdin.take().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    drop(stdin);
+}
+
 #[test]
 fn effects_name_who_asked() {
     insta::assert_snapshot!(good(&format!("effects {SCENE}")));

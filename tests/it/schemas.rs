@@ -23,9 +23,12 @@ fn the_committed_schemas_are_the_generated_ones() {
     }
 }
 
+/// One tree with everything in it pins the format as programs read it.
 #[test]
-fn the_schema_of_trees() {
-    insta::assert_snapshot!(format!("{:#}", RayTree::schema().as_value()));
+fn a_tree_as_json() {
+    let (_, loaded) = scenes().into_iter().find(|(name, _)| name == "first-tree").unwrap();
+    let (_, pixel) = loaded.scene.pixels.iter().find(|(name, _)| name == "shadow").unwrap_or(&loaded.scene.pixels[0]);
+    insta::assert_snapshot!(tree(&tracer::<f64>(&loaded.scene), &loaded, *pixel, Keep::Steps).to_json());
 }
 
 #[test]
