@@ -59,7 +59,7 @@ impl Failure {
             Self::Input(problem) => (2, Some(draw(problem))),
             Self::Machine(message) => (3, Some(format!("error: {}", printable(message)))),
             Self::ClosedPipe => (0, None),
-            Self::Interrupted => (130, Some("interrupted; nothing was written".to_owned())),
+            Self::Interrupted => (130, Some("interrupted".to_owned())),
         };
         if let Some(text) = text {
             // If standard error is gone too, the exit code has to do.

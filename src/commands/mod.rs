@@ -1,4 +1,4 @@
-//! Floor 7: what people run. Only this floor prints, and only `main` exits. One command a file.
+//! Floor 7: what people run. Only this floor prints, and only `main` and Ctrl-C exit. One command a file.
 
 mod check;
 mod completions;

@@ -48,7 +48,11 @@ impl Target {
             Err(_) if !folder_of(path).is_dir() => {
                 Err(cannot(&format!("there is no folder {}", folder_of(path).display())))
             }
-            Err(_) => Ok(Self::File(path.to_owned())),
+            Err(_) => {
+                // Two names of one file are one target.
+                let folder = fs::canonicalize(folder_of(path)).unwrap_or_else(|_| folder_of(path).to_owned());
+                Ok(Self::File(folder.join(path.file_name().unwrap_or_default())))
+            }
         }
     }
 

@@ -15,8 +15,8 @@ static LOOKING: AtomicBool = AtomicBool::new(false);
 /// From now on Ctrl-C sets a flag while [`stoppable`] work goes on, and ends the program at once at other times.
 pub(super) fn watch() {
     ctrlc::set_handler(|| {
-        STOP.store(true, Ordering::SeqCst);
-        if !LOOKING.load(Ordering::SeqCst) {
+        // Whoever asks twice does not want to wait.
+        if STOP.swap(true, Ordering::SeqCst) || !LOOKING.load(Ordering::SeqCst) {
             Failure::Interrupted.exit();
         }
     })

@@ -11,7 +11,7 @@ use crate::numbers::Real;
 use crate::scene::ObjectId;
 
 /// Offers `sink` the hits of all objects.
-pub(super) fn walk<R: Real, S: Sink<R>, P: Probe>(
+pub(super) fn all<R: Real, S: Sink<R>, P: Probe>(
     world: &World<R>,
     ray: &Ray<R>,
     departure: Departure<'_>,

@@ -11,6 +11,7 @@ mod slabs;
 mod start;
 mod test;
 mod values;
+mod walk;
 mod world;
 
 pub use nearest::{Candidate, Detail, Hit, Limit};

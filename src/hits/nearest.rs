@@ -114,7 +114,8 @@ pub(super) fn compare<R: Real>(world: &World<R>, ray: &Ray<R>, a: &Candidate<R>,
     }
     match world.numerics() {
         Numerics::Certified => compare_roots(ray, root(world, a), root(world, b)),
-        Numerics::Lecture | Numerics::Robust => a.t.total_cmp(&b.t),
+        // Finite numbers; -0 and 0 are a tie.
+        Numerics::Lecture | Numerics::Robust => a.t.partial_cmp(&b.t).unwrap_or(Ordering::Equal),
     }
 }
 

@@ -41,6 +41,9 @@ impl Bounds {
     }
 
     /// The box with its sides moved out by `relative` times the largest coordinate.
+    ///
+    /// The sides of a sphere's box, `c -+ r`, round by `u` of the largest coordinate, and so does moving them: `4 u` holds
+    /// both, with as much again to spare.
     pub fn grown(&self, relative: f64) -> Self {
         let largest = self.min.iter().chain(&self.max).fold(0.0_f64, |m, x| m.max(x.abs()));
         let by = largest * relative;
@@ -82,7 +85,7 @@ impl SlabRay {
         let (mut t_in, mut t_out) = (0.0_f64, f64::INFINITY);
         for k in 0..3 {
             let inverse = self.inverse[k];
-            if inverse.is_infinite() {
+            if self.direction[k] == 0.0 {
                 // The direction has no component along this axis.
                 if self.origin[k] < bounds.min[k] || self.origin[k] > bounds.max[k] {
                     return (f64::INFINITY, f64::NEG_INFINITY);

@@ -1,6 +1,5 @@
-//! One test: a box or a shape against the best so far; and the walk through the hierarchies that leads to it.
+//! One test: a box or a shape against the best so far.
 
-use super::bvh::Visit;
 use super::nearest::{Candidate, Detail, Sink};
 use super::probe::{BoundsTest, BoundsVerdict, Probe, Reason, ShapeTest, Test, Values, Verdict};
 use super::slabs::{Bounds, SlabRay};
@@ -25,67 +24,6 @@ struct Found<R> {
     t_error: f64,
     primitive: Option<u32>,
     detail: Detail<R>,
-}
-
-/// Offers `sink` the hits of all objects, through the hierarchies.
-#[inline(always)]
-pub(super) fn walk_hierarchy<R: Real, S: Sink<R>, P: Probe>(
-    world: &World<R>,
-    ray: &Ray<R>,
-    departure: Departure<'_>,
-    sink: &mut S,
-    probe: &mut P,
-) {
-    for &id in world.unbounded() {
-        object(world, ray, id, 0.0, departure, sink, probe);
-    }
-    let slabs = SlabRay::new(ray);
-    world.bvh().walk(&slabs, |node, visit, bounds| {
-        let object_of = match visit {
-            Visit::Inner => None,
-            Visit::Leaf(item) => Some(world.item(item)),
-        };
-        let mesh = object_of.and_then(|id| match world.geometry(id) {
-            Geometry::Mesh(mesh) => Some(mesh),
-            _ => None,
-        });
-        let around_one = object_of.is_some() && mesh.is_none();
-        let owner = Owner { object: object_of, primitive: None, node: Some(node), around_one };
-        let entered = enters(sink.limit(), probe, &slabs, bounds, owner);
-        if let (Some(t_in), Some(id)) = (entered, object_of) {
-            match mesh {
-                Some(mesh) => walk_mesh(world, mesh, ray, &slabs, id, departure, sink, probe),
-                None => object(world, ray, id, t_in, departure, sink, probe),
-            }
-        }
-        entered.is_some()
-    });
-}
-
-#[allow(clippy::too_many_arguments, reason = "the state of the walk through the objects, which this one goes on with")]
-pub(super) fn walk_mesh<R: Real, S: Sink<R>, P: Probe>(
-    world: &World<R>,
-    mesh: &MeshGeometry<R>,
-    ray: &Ray<R>,
-    slabs: &SlabRay,
-    id: ObjectId,
-    departure: Departure<'_>,
-    sink: &mut S,
-    probe: &mut P,
-) {
-    let mut test = MeshTest::new(world, mesh, ray, id, departure);
-    mesh.bvh.walk(slabs, |node, visit, bounds| {
-        let primitive = match visit {
-            Visit::Inner => None,
-            Visit::Leaf(primitive) => Some(primitive),
-        };
-        let owner = Owner { object: Some(id), primitive, node: Some(node), around_one: primitive.is_some() };
-        let entered = enters(sink.limit(), probe, slabs, bounds, owner);
-        if let (Some(t_in), Some(primitive)) = (entered, primitive) {
-            test.triangle(primitive, t_in, sink, probe);
-        }
-        entered.is_some()
-    });
 }
 
 /// What a bounding box is around.

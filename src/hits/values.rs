@@ -9,14 +9,27 @@ use crate::kernels::{
 use crate::numbers::{Real, Vector3};
 use crate::scene::Numerics;
 
-/// Of a test of an object that is not a mesh.
+/// Of a test of an object that is not a mesh. The certified kernels compute in f64.
 pub(super) fn of_object<R: Real>(numerics: Numerics, ray: &Ray<R>, geometry: &Geometry<R>) -> Values {
-    match geometry {
-        Geometry::Sphere(sphere) => of_sphere(numerics, ray, sphere),
-        Geometry::Plane(plane) => of_plane(ray, plane),
-        Geometry::Box(aabb) => of_box(numerics, ray, aabb),
-        Geometry::Triangle(triangle) => of_triangle(numerics, ray, triangle),
-        Geometry::Mesh(_) => Values::new(),
+    let vector = widen::<R>;
+    match (geometry, numerics) {
+        (Geometry::Sphere(sphere), Numerics::Certified) => {
+            let wide = Sphere { center: vector(sphere.center), radius: sphere.radius.to_f64() };
+            of_sphere::<f64>(numerics, &widened(ray), &wide)
+        }
+        (Geometry::Plane(plane), Numerics::Certified) => {
+            let wide = Plane { normal: vector(plane.normal), distance: plane.distance.to_f64() };
+            of_plane::<f64>(&widened(ray), &wide)
+        }
+        (Geometry::Box(aabb), Numerics::Certified) => {
+            let wide = Aabb { min: vector(aabb.min), max: vector(aabb.max) };
+            of_box::<f64>(numerics, &widened(ray), &wide)
+        }
+        (Geometry::Sphere(sphere), _) => of_sphere(numerics, ray, sphere),
+        (Geometry::Plane(plane), _) => of_plane(ray, plane),
+        (Geometry::Box(aabb), _) => of_box(numerics, ray, aabb),
+        (Geometry::Triangle(triangle), _) => of_triangle(numerics, ray, triangle),
+        (Geometry::Mesh(_), _) => Values::new(),
     }
 }
 
@@ -25,16 +38,14 @@ pub(super) fn of_triangle<R: Real>(numerics: Numerics, ray: &Ray<R>, triangle: &
     match numerics {
         Numerics::Lecture => {
             let v = triangle_lecture_values(ray, triangle);
-            let abc = [("a", v.a), ("b", v.b), ("c", v.c)];
-            let mut values = vec![("n", vector::<R>(v.n)), ("n_dot_d", number(v.n_dot_d)), ("t", number(v.t))];
-            values.push(("p", vector::<R>(v.p)));
-            values.extend(abc.map(|(name, x)| (name, number(x))));
+            let mut values = vec![("n", Quantity::Vector(v.n.to_f64())), ("n_dot_d", number(v.n_dot_d))];
+            values.extend([("t", number(v.t)), ("p", Quantity::Vector(v.p.to_f64()))]);
+            values.extend([("a", v.a), ("b", v.b), ("c", v.c)].map(|(name, x)| (name, number(x))));
             values
         }
         Numerics::Robust => determinants(ray, triangle),
         Numerics::Certified => {
-            let wide = Triangle::<f64> { vertices: triangle.vertices.map(widen::<R>) };
-            determinants(&Ray { origin: widen::<R>(ray.origin), direction: widen::<R>(ray.direction) }, &wide)
+            determinants(&widened(ray), &Triangle::<f64> { vertices: triangle.vertices.map(widen::<R>) })
         }
     }
 }
@@ -85,10 +96,10 @@ fn number<R: Real>(x: R) -> Quantity {
     Quantity::Number(x.to_f64())
 }
 
-fn vector<R: Real>(v: R::Vec3) -> Quantity {
-    Quantity::Vector(v.to_f64())
-}
-
 fn widen<R: Real>(v: R::Vec3) -> glam::DVec3 {
     glam::DVec3::from_array(v.to_f64())
+}
+
+fn widened<R: Real>(ray: &Ray<R>) -> Ray<f64> {
+    Ray { origin: widen::<R>(ray.origin), direction: widen::<R>(ray.direction) }
 }

@@ -1,16 +1,18 @@
 //! The geometry of a scene in one precision, ready to be hit.
 
+use std::cmp::Ordering;
+
 use super::bvh::Bvh;
-use super::nearest::{All, Any, Candidate, Detail, Hit, Limit, Nearest, Sink, TiedWith};
+use super::nearest::{All, Any, Candidate, Detail, Hit, Limit, Nearest, Sink, TiedWith, compare};
 use super::probe::Probe;
 use super::slabs::{Bounds, SlabRay};
 use super::start::Departure;
-use super::{list, test};
+use super::{list, walk};
 use crate::kernels::{
     Aabb, Plane, Ray, Root, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle, compare_t,
-    longest_edge,
+    longest_edge, plane_facing, triangle_facing, triangle_normal,
 };
-use crate::numbers::{Certificate, Precision, Real, Vector3};
+use crate::numbers::{Certificate, Precision, Real, Vector3, unit};
 use crate::scene::{Numerics, ObjectId, Scene, Shape};
 
 /// How candidates are found. Both give the same bytes.
@@ -95,7 +97,7 @@ impl<R: Real> World<R> {
         // Certified hits lie in their boxes; the hits of other kernels are rounded, and so may lie a little beside
         // them.
         let growth = match numerics {
-            Numerics::Certified => f64::EPSILON,
+            Numerics::Certified => 2.0 * f64::EPSILON,
             Numerics::Lecture | Numerics::Robust => 512.0 * R::UNIT_ROUNDOFF.to_f64(),
         };
         let mut world = Self {
@@ -204,7 +206,7 @@ impl<R: Real> World<R> {
             match self.geometry(id) {
                 Geometry::Mesh(mesh) => {
                     let slabs = SlabRay::new(ray);
-                    test::walk_mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
+                    walk::mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
                 }
                 _ => list::object(self, ray, id, anywhere, &mut sink, &mut ()),
             }
@@ -218,8 +220,8 @@ impl<R: Real> World<R> {
             return;
         }
         match self.acceleration {
-            Acceleration::List => list::walk(self, ray, departure, sink, probe),
-            Acceleration::Bvh => test::walk_hierarchy(self, ray, departure, sink, probe),
+            Acceleration::List => list::all(self, ray, departure, sink, probe),
+            Acceleration::Bvh => walk::all(self, ray, departure, sink, probe),
         }
     }
 
@@ -227,7 +229,7 @@ impl<R: Real> World<R> {
     pub fn geometric_normal(&self, point: R::Vec3, hit: &Candidate<R>) -> R::Vec3 {
         match self.geometry(hit.object) {
             Geometry::Plane(plane) => plane.normal,
-            Geometry::Sphere(sphere) => unit::<R>((point - sphere.center).to_f64()),
+            Geometry::Sphere(sphere) => R::Vec3::from_f64(unit((point - sphere.center).to_f64()).unwrap_or_default()),
             Geometry::Box(_) => {
                 let face = hit.primitive.unwrap_or_default();
                 let mut normal = [0.0; 3];
@@ -272,22 +274,66 @@ impl<R: Real> World<R> {
         }
     }
 
-    /// Whether the ray's line is in no part of a convex solid beyond this hit: where it leaves, or only touches.
+    /// The order of two hits along a ray: exact under certified numerics.
+    pub fn compare(&self, ray: &Ray<R>, a: &Candidate<R>, b: &Candidate<R>) -> Ordering {
+        compare(self, ray, a, b)
+    }
+
+    /// Which way the ray crosses the surface at a hit: less against the outward geometric normal (entering), greater along
+    /// it (leaving), equal where it only touches. Exact under certified numerics.
+    pub fn facing(&self, ray: &Ray<R>, hit: &Candidate<R>) -> Ordering {
+        match (self.geometry(hit.object), hit.detail) {
+            (Geometry::Plane(plane), _) => plane_facing(ray, plane),
+            (Geometry::Triangle(triangle), _) => triangle_facing(ray, triangle),
+            (Geometry::Mesh(mesh), _) => triangle_facing(ray, mesh.triangle(hit.primitive)),
+            (_, Detail::Box { near: true, .. }) => Ordering::Less,
+            (_, Detail::Sphere { near: true, .. }) if !self.leaves_behind(ray, hit) => Ordering::Less,
+            (_, Detail::Sphere { near: true, .. }) => Ordering::Equal,
+            _ => Ordering::Greater,
+        }
+    }
+
+    /// Which way another ray that starts at a hit crosses its surface; of a sphere by the normal at the start.
+    pub fn facing_of(&self, ray: &Ray<R>, hit: &Candidate<R>) -> Ordering {
+        match self.geometry(hit.object) {
+            Geometry::Plane(_) | Geometry::Triangle(_) | Geometry::Mesh(_) => self.facing(ray, hit),
+            Geometry::Sphere(_) | Geometry::Box(_) => {
+                let along = ray.direction.dot(self.geometric_normal(ray.origin, hit));
+                along.partial_cmp(&R::ZERO).unwrap_or(Ordering::Equal)
+            }
+        }
+    }
+
+    /// Whether the ray's line is in no part of a convex solid beyond this hit: where it leaves, or only touches. Exact under
+    /// certified numerics.
     pub fn leaves_behind(&self, ray: &Ray<R>, hit: &Candidate<R>) -> bool {
         match hit.detail {
-            Detail::Sphere { t_in, t_out, near, .. } => !near || (!(t_in < t_out) && self.touches(ray, hit.object)),
-            Detail::Box { t_in, t_out, near, .. } => !near || !(t_in < t_out),
+            Detail::Sphere { t_in, t_out, near, .. } | Detail::Box { t_in, t_out, near, .. } => {
+                !near || (!(t_in < t_out) && self.touches(ray, hit.object))
+            }
             Detail::Plane | Detail::Triangle { .. } => false,
         }
     }
 
-    /// Whether the two roots of a sphere are one, where rounding cannot tell them apart.
+    /// Whether a line that meets a convex solid has no stretch inside, where rounding cannot tell its ends apart.
+    #[cold]
     fn touches(&self, ray: &Ray<R>, id: ObjectId) -> bool {
-        match (self.geometry(id), self.numerics) {
-            (Geometry::Sphere(sphere), Numerics::Certified) => {
-                compare_t(ray, Root::SphereNear(sphere), Root::SphereFar(sphere)).is_eq()
+        if self.numerics != Numerics::Certified {
+            return true;
+        }
+        match self.geometry(id) {
+            Geometry::Sphere(sphere) => compare_t(ray, Root::SphereNear(sphere), Root::SphereFar(sphere)).is_eq(),
+            Geometry::Box(aabb) => {
+                // It has one if it enters every slab before it leaves any.
+                let d = ray.direction.to_f64();
+                let crossed = || (0..3_u32).filter(|&axis| d[axis as usize] != 0.0);
+                let faces = |axis: u32| {
+                    if d[axis as usize] > 0.0 { [2 * axis, 2 * axis + 1] } else { [2 * axis + 1, 2 * axis] }
+                };
+                let face = |face| Root::BoxFace(aabb, face);
+                crossed().any(|i| crossed().any(|j| !compare_t(ray, face(faces(i)[0]), face(faces(j)[1])).is_lt()))
             }
-            _ => true,
+            _ => false,
         }
     }
 }
@@ -350,21 +396,4 @@ fn bounds<R: Real>(geometry: &Geometry<R>) -> Option<Bounds> {
         Geometry::Triangle(triangle) => Some(Bounds::of::<R>(triangle.vertices)),
         Geometry::Mesh(mesh) => Some(Bounds { min: mesh.aabb.min.to_f64(), max: mesh.aabb.max.to_f64() }),
     }
-}
-
-/// The unit normal `(v1 - v0) x (v2 - v0)`, computed in f64 so that no triangle is too small to have one.
-fn triangle_normal<R: Real>(triangle: &Triangle<R>) -> R::Vec3 {
-    let [v0, v1, v2] = triangle.vertices.map(|v| glam::DVec3::from_array(v.to_f64()));
-    unit::<R>((v1 - v0).cross(v2 - v0).to_array())
-}
-
-/// `v` at length 1, computed in f64; zero if `v` is.
-fn unit<R: Real>(v: [f64; 3]) -> R::Vec3 {
-    let v = glam::DVec3::from_array(v);
-    let largest = v.abs().max_element();
-    if largest == 0.0 {
-        return R::Vec3::default();
-    }
-    let scaled = v * libm::scalbn(1.0, -libm::ilogb(largest));
-    R::Vec3::from_f64((scaled / scaled.length()).to_array())
 }

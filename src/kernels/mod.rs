@@ -8,6 +8,7 @@
 
 pub mod aabb;
 mod certified;
+mod facing;
 pub mod miss;
 pub mod optics;
 pub mod order;
@@ -21,6 +22,7 @@ pub use aabb::{
     intersect_box_explicit_zero, intersect_box_lecture,
 };
 pub use certified::Certified;
+pub use facing::{plane_facing, triangle_facing, triangle_normal};
 pub use miss::Miss;
 pub use optics::{
     certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refraction_cosines,

@@ -13,6 +13,7 @@ pub mod integers;
 mod range;
 mod real;
 mod ring;
+mod unit;
 pub mod wide;
 
 pub use certificate::{Certificate, Stage};
@@ -21,6 +22,7 @@ pub use expansion::Expansion;
 pub use range::{flush_tiny, is_in_range};
 pub use real::{Precision, Real, Vector3};
 pub use ring::{Known, Ring, determinant, dot};
+pub use unit::unit;
 pub use wide::Wide;
 
 /// Unit roundoff of `f64`, 2^-53: the `u` of every bound in the kernels.

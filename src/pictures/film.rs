@@ -26,10 +26,10 @@ pub fn render<R: Real>(tracer: &Tracer<'_, R>, row_done: &(dyn Fn() + Sync), sto
     let size = tracer.scene().image;
     let mut pixels = vec![Rgb::ZERO; size.width as usize * size.height as usize];
     let row = |(y, row): (usize, &mut [Rgb])| {
-        if stop.load(Ordering::Relaxed) {
-            return;
-        }
         for (x, pixel) in row.iter_mut().enumerate() {
+            if stop.load(Ordering::Relaxed) {
+                return;
+            }
             *pixel = tracer.pixel_color(x as u32, y as u32);
         }
         row_done();
@@ -106,9 +106,9 @@ impl Film {
     }
 }
 
-/// The nearest f32, the largest one for what lies beyond.
+/// The nearest finite f32.
 fn float(x: f64) -> f32 {
-    x.min(f64::from(f32::MAX)) as f32
+    (x as f32).clamp(f32::MIN, f32::MAX)
 }
 
 /// A linear component as an 8-bit sRGB sample, clamped to [0, 1] and rounded. Source: IEC 61966-2-1.

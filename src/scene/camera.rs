@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::kernels::Ray;
+use crate::numbers;
 
 /// Size of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,16 +63,11 @@ impl Camera {
     }
 }
 
-/// `v` at length 1, however large or small it is.
+/// `v` at length 1.
 ///
 /// # None when
-/// `v` is zero, has a component that is not finite, or none of magnitude 2^-126 or more.
+/// `v` has a component that is not finite, or none of magnitude 2^-126 or more.
 pub(super) fn unit(v: DVec3) -> Option<DVec3> {
-    let largest = v.abs().max_element();
-    if !(largest >= f64::from(f32::MIN_POSITIVE) && v.is_finite()) {
-        return None;
-    }
-    // A power of two scales without rounding, so that the squares neither over- nor underflow.
-    let scaled = v * libm::scalbn(1.0, -libm::ilogb(largest));
-    Some(scaled / scaled.length())
+    let long_enough = v.abs().max_element() >= f64::from(f32::MIN_POSITIVE);
+    numbers::unit(v.to_array()).filter(|_| long_enough).map(DVec3::from_array)
 }

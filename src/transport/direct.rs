@@ -135,52 +135,38 @@ impl<R: Real> Tracer<'_, R> {
     ) -> (bool, Rec::Node) {
         self.begin(Effect::Shadows);
         let ShadowRay { light, ray, t_max, .. } = shadow_ray;
-        let limit = t_max.map_or(Limit::None, Limit::Below);
-        let mut visit = Visit {
-            tracer: self,
-            kind: Kind::Shadow(*light),
-            depth: path.level,
-            weight: None,
-            ior: None,
-            ray,
-            t_max: *t_max,
-            outcome: Outcome::RayBudget,
-            surface: None,
-            local: None,
-            radiance: None,
-            fresnel: None,
-            total_reflection: false,
-            probe: Rec::Probe::default(),
-        };
+        let kind = Kind::Shadow(*light);
         if !budget.take() {
-            return (false, recorder.node(visit, Children::none()));
+            let visit = Visit::new(self, kind, path.level, ray, Outcome::RayBudget, Rec::Probe::default());
+            return (false, recorder.node(Visit { t_max: *t_max, ..visit }, Children::none()));
         }
+        let limit = t_max.map_or(Limit::None, Limit::Below);
         let leaving = Leaving::new(self, path.ray, surface, ray.direction, Secondary::Reflected);
-        let departure = leaving.departure();
-        let blocker = if Rec::RECORDS {
-            visit.ior = Some(surface.ior[0].to_f64());
-            let hit = self.world().nearest(ray, limit, departure, &mut visit.probe);
-            hit.map(|hit| Surface::new(self, ray, hit, path.inside))
+        let mut probe = Rec::Probe::default();
+        // A tree tells the nearest blocker; a picture is content with any.
+        let (lit, blocker) = if Rec::RECORDS {
+            let hit = self.world().nearest(ray, limit, leaving.departure(), &mut probe);
+            (hit.is_none(), hit.map(|hit| Surface::new(self, ray, hit, path.inside)))
         } else {
-            visit.outcome = if self.world().is_hit(ray, limit, departure) { Outcome::Blocked } else { Outcome::Lit };
-            None
+            (!self.world().is_hit(ray, limit, leaving.departure()), None)
         };
-        if Rec::RECORDS {
-            visit.outcome = if blocker.is_some() { Outcome::Blocked } else { Outcome::Lit };
-        }
-        visit.surface = blocker.as_ref();
-        let lit = visit.outcome == Outcome::Lit;
+        let visit = Visit {
+            ior: Some(surface.ior[0].to_f64()),
+            t_max: *t_max,
+            surface: blocker.as_ref(),
+            ..Visit::new(self, kind, path.level, ray, if lit { Outcome::Lit } else { Outcome::Blocked }, probe)
+        };
         (lit, recorder.node(visit, Children::none()))
     }
 }
 
-/// Phong's `strength * max(0, r.v)^shininess`, `r` the light's direction mirrored at the normal, `v` back along the
-/// ray.
+/// Phong's `strength * max(0, r.v)^shininess`, `r` the light's direction mirrored at the normal, `v` back along the ray.
 fn highlight<R: Real>(specular: Specular, incident: &Ray<R>, surface: &Surface<R>, to_light: &Ray<R>) -> Rgb {
-    let (n, l) = (vector::<R>(surface.shading_normal), vector::<R>(to_light.direction));
-    let d = vector::<R>(incident.direction);
+    // In f64, and all of length 1 there: a high exponent makes much of little.
+    let unit = |v: R::Vec3| vector::<R>(v).normalize();
+    let (n, l, d) = (unit(surface.shading_normal), unit(to_light.direction), unit(incident.direction));
     let r = n * (2.0 * n.dot(l)) - l;
-    let cosine = (-r.dot(d) / d.length()).max(0.0);
+    let cosine = (-r.dot(d)).clamp(0.0, 1.0);
     specular.strength * libm::pow(cosine, specular.shininess)
 }
 

@@ -34,12 +34,15 @@ impl Leaving {
         let mut several = Vec::new();
         if !surface.hit.tied.is_empty() {
             several.push(first);
+            let spawned = Ray { origin: surface.point, direction };
             let goes_along = |other: &&Candidate<R>| {
-                let normal = tracer.world().geometric_normal(surface.point, other);
-                let along = (incident.direction.dot(normal) < R::ZERO) == (direction.dot(normal) < R::ZERO);
+                let (before, after) =
+                    (tracer.world().facing(incident, other), tracer.world().facing_of(&spawned, other));
                 match way {
-                    Secondary::Reflected => !along || direction.dot(normal) == R::ZERO,
-                    Secondary::Refracted => along && tracer.scene().material_of(other.object).transmission.is_some(),
+                    Secondary::Reflected => before != after,
+                    Secondary::Refracted => {
+                        before == after && tracer.scene().material_of(other.object).transmission.is_some()
+                    }
                 }
             };
             several.extend(surface.hit.tied.iter().filter(goes_along).map(left));

@@ -1,8 +1,10 @@
 //! The medium a ray is in: the solids that contain it, and what crossing a surface does to them.
 
+use std::cmp::Ordering;
+
 use super::trace::Tracer;
 use crate::hits::{Candidate, Detail, Geometry, Hit, World};
-use crate::kernels::Ray;
+use crate::kernels::{Ray, Root, compare_t_with, plane_facing};
 use crate::numbers::{Real, Vector3};
 use crate::scene::{ObjectId, Scene};
 
@@ -32,7 +34,8 @@ impl Inside {
             let contains = match crossed.detail {
                 Detail::Sphere { .. } | Detail::Box { .. } => !tracer.world().leaves_behind(ray, crossed),
                 Detail::Plane => enters(tracer.world(), ray, crossed),
-                // Of a mesh, several triangles may meet in an edge: a ray that only touches it stays where it is.
+                // Of a mesh, several triangles may meet in an edge or a vertex. Where some face the ray and some do
+                // not, it touches an outline and stays where it is; at a saddle of the surface that is a guess.
                 Detail::Triangle { .. } => {
                     let of_mesh = || all().filter(|c| c.object == id);
                     let entered = of_mesh().filter(|c| enters(tracer.world(), ray, c)).count();
@@ -61,7 +64,7 @@ impl Inside {
 
 /// Whether the ray goes in at a hit of a plane or triangle: against its outward normal.
 fn enters<R: Real>(world: &World<R>, ray: &Ray<R>, hit: &Candidate<R>) -> bool {
-    ray.direction.dot(world.geometric_normal(ray.origin, hit)) < R::ZERO
+    world.facing(ray, hit).is_lt()
 }
 
 /// Whether a solid contains the ray just before its start, `t_in < 0 <= t_out`.
@@ -72,8 +75,13 @@ fn contains_start<R: Real>(world: &World<R>, ray: &Ray<R>, id: ObjectId) -> bool
             Detail::Plane | Detail::Triangle { .. } => false,
         }),
         Geometry::Plane(plane) => {
-            let height = plane.normal.dot(ray.origin) - plane.distance;
-            height < R::ZERO || (height == R::ZERO && plane.normal.dot(ray.direction) > R::ZERO)
+            // Seen along the normal, the plane lies ahead of what is below it.
+            let upwards = Ray { origin: ray.origin, direction: plane.normal };
+            match compare_t_with(&upwards, Root::Plane(plane), 0.0) {
+                Ordering::Greater => true,
+                Ordering::Equal => plane_facing(ray, plane).is_gt(),
+                Ordering::Less => false,
+            }
         }
         Geometry::Triangle(_) => false,
         Geometry::Mesh(mesh) => {
@@ -83,8 +91,8 @@ fn contains_start<R: Real>(world: &World<R>, ray: &Ray<R>, id: ObjectId) -> bool
             }
             // The first crossing that is not a mere touch tells: outward from inside, inward from outside.
             let mut hits = world.all_hits(ray, id);
-            hits.sort_by(|a, b| a.t.total_cmp(&b.t));
-            let groups = hits.chunk_by(|a, b| a.t == b.t);
+            hits.sort_by(|a, b| world.compare(ray, a, b));
+            let groups = hits.chunk_by(|a, b| world.compare(ray, a, b).is_eq());
             let mut entered = groups.map(|group| group.iter().map(|hit| enters(world, ray, hit)).collect::<Vec<_>>());
             let first = entered.find(|group| group.iter().all(|e| *e == group[0]));
             first.is_some_and(|group| !group[0])

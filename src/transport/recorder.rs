@@ -112,6 +112,35 @@ pub struct Visit<'a, R: Real, P> {
     pub probe: P,
 }
 
+impl<'a, R: Real, P> Visit<'a, R, P> {
+    /// A ray that ended in this way, and of which nothing more is known.
+    pub(super) fn new(
+        tracer: &'a Tracer<'a, R>,
+        kind: Kind,
+        depth: u32,
+        ray: &'a Ray<R>,
+        outcome: Outcome,
+        probe: P,
+    ) -> Self {
+        Self {
+            tracer,
+            kind,
+            depth,
+            weight: None,
+            ior: None,
+            ray,
+            t_max: None,
+            outcome,
+            surface: None,
+            local: None,
+            radiance: None,
+            fresnel: None,
+            total_reflection: false,
+            probe,
+        }
+    }
+}
+
 /// What a surface itself sends back, after the shadow verdicts.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Local {

@@ -81,7 +81,7 @@ impl<R: Real> Tracer<'_, R> {
     }
 
     /// Whether a ray of this weight is too faint to be traced.
-    fn is_light_weight(&self, weight: Rgb, least: f64) -> bool {
+    fn is_too_faint(&self, weight: Rgb, least: f64) -> bool {
         self.begin(Effect::MinWeight);
         weight.max_element() < least
     }
@@ -100,7 +100,7 @@ impl<R: Real> Tracer<'_, R> {
         let limits = self.limits();
         let outcome = if path.level >= limits.max_depth {
             Outcome::MaxDepth
-        } else if limits.min_weight.is_some_and(|least| self.is_light_weight(weight, least)) {
+        } else if limits.min_weight.is_some_and(|least| self.is_too_faint(weight, least)) {
             Outcome::BelowMinWeight
         } else if !budget.take() {
             Outcome::RayBudget
@@ -114,20 +114,9 @@ impl<R: Real> Tracer<'_, R> {
             return self.trace(child, budget, recorder);
         };
         let visit = Visit {
-            tracer: self,
-            kind,
-            depth: level,
             weight: Some(weight),
-            ior: None,
-            ray: &ray,
-            t_max: None,
-            outcome,
-            surface: None,
-            local: None,
             radiance: Some(Rgb::ZERO),
-            fresnel: None,
-            total_reflection: false,
-            probe: Rec::Probe::default(),
+            ..Visit::new(self, kind, level, &ray, outcome, Rec::Probe::default())
         };
         (Rgb::ZERO, recorder.node(visit, Children::none()))
     }

@@ -49,9 +49,10 @@ impl<R: Real> Surface<R> {
         if smooth.is_some() {
             tracer.begin(Effect::SmoothNormals);
         }
+        let facing = world.facing(ray, &hit.nearest);
         let side = match shape {
             Shape::Triangle { .. } => None,
-            _ if ray.direction.dot(geometric_normal) < R::ZERO => Some(Side::Entering),
+            _ if facing.is_lt() => Some(Side::Entering),
             _ => Some(Side::Leaving),
         };
         let (beyond, mut ior) = if tracer.has_media() {
@@ -65,8 +66,7 @@ impl<R: Real> Surface<R> {
         if let Some(coat) = tracer.clear_coat(hit.nearest.object) {
             ior[1] = coat;
         }
-        let flip = ray.direction.dot(geometric_normal) > R::ZERO;
-        let turned = |n: R::Vec3| if flip { -n } else { n };
+        let turned = |n: R::Vec3| if facing.is_gt() { -n } else { n };
         let shading_normal = match smooth {
             None => turned(geometric_normal),
             Some(normal) => to_horizon::<R>(turned(normal), ray.direction),

@@ -109,7 +109,7 @@ impl<'s, R: Real> Tracer<'s, R> {
         Ok(Self {
             scene,
             world: World::new(scene, options.numerics, options.acceleration),
-            limits: options.limits,
+            limits: Limits { max_depth: options.limits.max_depth.min(Limits::DEEPEST), ..options.limits },
             iors: scene.object_ids().map(ior).collect(),
             has_media: scene.object_ids().any(|id| scene.is_medium(id)),
             masked: EffectSet::default(),
@@ -208,20 +208,10 @@ impl<'s, R: Real> Tracer<'s, R> {
                 }
                 let radiance = self.scene.background.color(glam::DVec3::from_array(path.ray.direction.to_f64()));
                 let visit = Visit {
-                    tracer: self,
-                    kind: path.kind,
-                    depth: path.level,
                     weight: Some(path.weight),
                     ior: Some(self.ior(path.inside).to_f64()),
-                    ray: path.ray,
-                    t_max: None,
-                    outcome: Outcome::Background,
-                    surface: None,
-                    local: None,
                     radiance: Some(radiance),
-                    fresnel: None,
-                    total_reflection: false,
-                    probe,
+                    ..Visit::new(self, path.kind, path.level, path.ray, Outcome::Background, probe)
                 };
                 (radiance, recorder.node(visit, Children::none()))
             }
@@ -252,20 +242,14 @@ impl<'s, R: Real> Tracer<'s, R> {
             children.refracted = Some(node);
         }
         let visit = Visit {
-            tracer: self,
-            kind: path.kind,
-            depth: path.level,
             weight: Some(path.weight),
             ior: Some(surface.ior[0].to_f64()),
-            ray: path.ray,
-            t_max: None,
-            outcome: Outcome::Hit,
             surface: Some(surface),
             local: Some(local),
             radiance: Some(color),
             fresnel: split.fresnel,
             total_reflection: split.total_reflection,
-            probe,
+            ..Visit::new(self, path.kind, path.level, path.ray, Outcome::Hit, probe)
         };
         (color, recorder.node(visit, children))
     }

@@ -68,9 +68,12 @@ fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Pr
         return wrong("depth", "deeper than any ray", "at most 65: one below the deepest that is traced");
     }
     let shadow = node.kind == Kind::Shadow;
-    if shadow != matches!(node.outcome, Outcome::Lit | Outcome::Blocked | Outcome::RayBudget)
-        && node.outcome != Outcome::RayBudget
-    {
+    let fits = match node.outcome {
+        Outcome::RayBudget => true,
+        Outcome::Lit | Outcome::Blocked => shadow,
+        Outcome::Hit | Outcome::Background | Outcome::MaxDepth | Outcome::BelowMinWeight => !shadow,
+    };
+    if !fits {
         let help = "of shadow rays lit, blocked or ray_budget, of others hit, background, max_depth, below_min_weight or \
                     ray_budget";
         return wrong("outcome", "this outcome does not go with this kind", help);
@@ -80,6 +83,9 @@ fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Pr
     }
     if !shadow && node.weight.is_none() {
         return wrong("kind", "a ray without `weight`", "add `weight`, the share that reaches the pixel, to this node");
+    }
+    if !matches!(node.outcome, Outcome::Hit | Outcome::Blocked) && node.hit.is_some() {
+        return wrong("hit", "a hit of a ray that hit nothing", "leave it out, or make the outcome `hit` or `blocked`");
     }
     if node.outcome == Outcome::Hit && node.hit.is_none() {
         return wrong("outcome", "a hit without `hit`", "add `hit` to this node");

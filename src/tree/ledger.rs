@@ -57,7 +57,6 @@ impl Ledger {
             }
             magnitude += entry.share.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         }
-        entries.retain(|entry| entry.share != [0.0; 3]);
         Self { entries, sum, color: tree.color, bound: 1e-12 * magnitude.max(1.0) }
     }
 
@@ -81,7 +80,10 @@ fn enter(path: &str, node: &RayNode, entries: &mut Vec<Entry>) {
     let Some(weight) = node.weight else { return };
     let object = node.hit.as_ref().and_then(|hit| hit.object.clone());
     let mut add = |term: String, value: [f64; 3]| {
-        let share = std::array::from_fn(|k| weight[k] * value[k]);
+        let share: [f64; 3] = std::array::from_fn(|k| weight[k] * value[k]);
+        if share == [0.0; 3] {
+            return;
+        }
         entries.push(Entry { path: path.to_owned(), term, object: object.clone(), share });
     };
     if let Some(local) = &node.local {

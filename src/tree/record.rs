@@ -152,8 +152,8 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
 fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
     let nearest = &surface.hit.nearest;
     HitRecord {
-        // The number that the point was computed with.
-        t: R::from_f64(nearest.t).to_f64(),
+        // The number that the point was computed with, unless it is too large for f32.
+        t: Some(R::from_f64(nearest.t).to_f64()).filter(|t| t.is_finite()).unwrap_or(nearest.t),
         point: surface.point.to_f64(),
         object: Some(tracer.scene().object(nearest.object).name.clone()),
         shape: nearest.object.0,

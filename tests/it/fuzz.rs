@@ -137,7 +137,8 @@ fn trace_in<R: Real>(loaded: &Loaded, numerics: Numerics) -> Result<(), TestCase
     let options = Options { numerics, ..Options::of(&loaded.scene) };
     let Ok(tracer) = Tracer::<R>::new(&loaded.scene, options) else { return Ok(()) };
     let (width, height) = (loaded.scene.image.width, loaded.scene.image.height);
-    for [x, y] in [[0, 0], [width / 2, height / 2], [width - 1, height / 3]] {
+    let named = loaded.scene.pixels.iter().map(|(_, pixel)| *pixel).take(1);
+    for [x, y] in named.chain([[0, 0], [width / 2, height / 2], [width - 1, height / 3]]) {
         let tree = tree(&tracer, loaded, [x, y], Keep::Steps);
         prop_assert!(
             tree.color.iter().all(|c| c.is_finite()),

@@ -1,9 +1,10 @@
 //! Which medium a ray is in: nested, touching and overlapping glass, and a camera inside.
 
-use raytree::scene::Loaded;
-use raytree::tree::{RayNode, Side};
+use raytree::kernels::Ray;
+use raytree::scene::{Loaded, Shape};
+use raytree::tree::{Keep, Origin, RayNode, Side, record_ray};
 
-use crate::support::{ray_tree, small_scene};
+use crate::support::{ray_tree, small_scene, tracer};
 
 const MATERIALS: &str = r#"
     "glass": { "transmission": 1, "ior": 1.5 }, "water": { "transmission": 1, "ior": 1.33 },
@@ -138,4 +139,88 @@ fn glass_bends_by_snell_and_back() {
     for (a, b) in outside.direction.iter().zip(direction) {
         assert!((a - b).abs() <= 2.0 * f64::EPSILON, "{:?}", outside.direction);
     }
+}
+
+/// The indices at the first hit in f32 and in f64, and how many rays there are.
+fn first_hit_in_both(loaded: &Loaded, origin: [f32; 3], direction: [f32; 3]) -> [([f64; 2], u64); 2] {
+    let kept = Origin { loaded, keep: Keep::Outcomes };
+    let vector = |v: [f32; 3]| v.map(f64::from);
+    let narrow = Ray::<f32> { origin: origin.into(), direction: direction.into() };
+    let wide = Ray::<f64> { origin: vector(origin).into(), direction: vector(direction).into() };
+    let narrow = record_ray(&tracer::<f32>(&loaded.scene), kept, &narrow);
+    let wide = record_ray(&tracer::<f64>(&loaded.scene), kept, &wide);
+    [narrow, wide].map(|tree| (tree.root.hit.unwrap().ior.unwrap(), tree.rays))
+}
+
+#[test]
+fn glass_thinner_than_an_ulp_of_t_is_entered_and_left() {
+    let pane = |thick: &str| {
+        let shape = format!(r#"{{ "box": {{ "min": [-1, -1, 0], "max": [1, 1, {thick}] }} }}"#);
+        small_scene(MATERIALS, &format!(r#"{{ "material": "glass", "shape": {shape} }}"#), "")
+    };
+    for thick in ["1e-7", "1e-16", "1e-30"] {
+        let seen = first_hit_in_both(&pane(thick), [0.25, 0.0, -5.0], [0.0, 0.125, 1.0]);
+        for (ior, rays) in seen {
+            assert_eq!(rays, 3, "{thick}: the ray enters, crosses and leaves");
+            assert!((ior[1] - 1.5).abs() < 1e-15, "{thick}: {ior:?}");
+        }
+    }
+    // No thickness at all: touched, not entered.
+    for (ior, rays) in first_hit_in_both(&pane("0"), [0.25, 0.0, -5.0], [0.0, 0.125, 1.0]) {
+        assert_eq!((ior, rays), ([1.0, 1.0], 2));
+    }
+    // A ball from far away: its two roots are one number in f64.
+    let ball = world(&[ball("glass", 0.0, 1.0)]);
+    let tree = ray_tree(&ball, [0.5, 0.0, 1e17], [0.0, 0.0, -1.0]);
+    let hit = tree.root.hit.unwrap();
+    assert_eq!(hit.ior, Some([1.0, 1.5]));
+    assert!(
+        (hit.geometric_normal[0] - 0.5).abs() < 1e-15 && hit.geometric_normal[2] > 0.0,
+        "{:?}",
+        hit.geometric_normal
+    );
+    assert!((hit.point[0] - 0.5).abs() < 1e-15, "{:?}", hit.point);
+}
+
+#[test]
+fn whether_a_camera_is_under_water_is_exact() {
+    let mut wrong_if_rounded = 0;
+    for i in 0..2000 {
+        // A slanted surface through a point that lies on it only up to rounding.
+        let (a, b) = (f64::from(i) * 0.37, f64::from(i) * 0.91);
+        let normal = [a.sin(), a.cos() * b.sin(), a.cos() * b.cos()];
+        let point = [b.cos(), a.sin() * b.sin(), a.cos()];
+        let distance: f64 = (0..3).map(|k| normal[k] * point[k]).sum();
+        let plane = format!(r#"{{ "plane": {{ "normal": {normal:?}, "distance": {distance:?} }} }}"#);
+        let loaded = small_scene(MATERIALS, &format!(r#"{{ "material": "water", "shape": {plane} }}"#), "");
+        let Shape::Plane { normal, distance } = loaded.scene.objects[0].shape else { unreachable!() };
+        let tree = ray_tree(&loaded, point, normal.to_array());
+        // The true height over the plane, in rational arithmetic.
+        let rational = |x: f64| dashu_ratio::RBig::try_from(x).unwrap();
+        let products = (0..3).map(|k| rational(normal[k]) * rational(point[k]));
+        let height = products.fold(-rational(distance), |sum, x| sum + x);
+        // On the surface, a ray that goes up comes from below.
+        let below = height <= dashu_ratio::RBig::ZERO;
+        assert_eq!(tree.root.ior == Some(1.33), below, "{i}");
+        wrong_if_rounded += i32::from((normal.dot(point.into()) - distance <= 0.0) != below);
+    }
+    assert!(wrong_if_rounded > 100, "the set is not hard: {wrong_if_rounded}");
+}
+
+#[test]
+fn needles_can_be_seen_and_mirror() {
+    // Hit in its middle; the cross product of its edges is zero in f64.
+    let (x, y) = (2.0_f64.powi(-30), 2.0_f64.powi(-29));
+    let needle = format!(
+        r#"{{ "material": "mirror", "shape": {{ "triangle": {{ "vertices": [[0, 0, 0], [{:?}, 1, 0], [{:?}, {:?}, 0]] }} }} }}"#,
+        1.0 + x,
+        1.0 + y,
+        1.0 + x
+    );
+    let loaded = small_scene(r#""mirror": { "reflection": 1 }"#, &needle, "");
+    let origin = [(1.0 + x + 1.0 + y) / 4.0, (1.0 + 1.0 + x) / 4.0, 1.0];
+    let tree = ray_tree(&loaded, origin, [0.0, 0.0, -1.0]);
+    let hit = tree.root.hit.expect("the needle is hit");
+    assert_eq!(hit.geometric_normal.map(f64::abs), [0.0, 0.0, 1.0]);
+    assert_eq!(tree.root.reflected.unwrap().direction, [0.0, 0.0, 1.0]);
 }

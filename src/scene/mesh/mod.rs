@@ -18,6 +18,9 @@ pub use ply::parse_ply;
 pub use surface::{Solidity, is_closed, orient_outward, signed_volume, smooth_normals, solidity};
 pub use transform::{Rotation, Transform};
 
+use crate::kernels::{Triangle, triangle_normal};
+use crate::numbers::unit;
+
 /// A triangle mesh as it was stored: faces in file order, the corners of each in file order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshData {
@@ -71,28 +74,13 @@ fn parser(file_name: &str) -> Option<Parser> {
     parsers.into_iter().find(|(known, _)| ending.eq_ignore_ascii_case(known)).map(|(_, parse)| parse)
 }
 
-/// The unit vector along `v`.
-///
-/// # None when
-/// `v` is zero or not finite.
-fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
-    if !v.iter().all(|x| x.is_finite()) {
-        return None;
-    }
-    // Divided by the largest component first, so that no square over- or underflows.
-    let largest = v.iter().fold(0.0, |m: f64, x| if x.abs() > m { x.abs() } else { m });
-    if largest == 0.0 {
-        return None;
-    }
-    let [x, y, z] = v.map(|c| c / largest);
-    let length = (x * x + y * y + z * z).sqrt();
-    Some([x / length, y / length, z / length])
-}
-
 /// The unit normal of the triangle v0 v1 v2, or +z where it has no area: such a triangle is never hit.
 fn face_normal(corners: [[f64; 3]; 3]) -> [f64; 3] {
-    let [v0, v1, v2] = corners;
-    unit(cross(minus(v1, v0), minus(v2, v0))).unwrap_or([0.0, 0.0, 1.0])
+    let triangle = Triangle::<f64> { vertices: corners.map(glam::DVec3::from_array) };
+    match triangle_normal(&triangle).to_array() {
+        [0.0, 0.0, 0.0] => [0.0, 0.0, 1.0],
+        normal => normal,
+    }
 }
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

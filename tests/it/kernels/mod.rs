@@ -4,6 +4,7 @@
 //! wrong.
 
 mod aabb;
+mod facing;
 mod hard_cases;
 mod numbers;
 mod optics;
