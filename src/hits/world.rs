@@ -355,8 +355,9 @@ fn onto_sphere<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, hit: &Candidate<R>, po
     let wide = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
     let (center, radius) = (wide(sphere.center), sphere.radius.to_f64());
     let mut out = glam::DVec3::from_array(point) - center;
-    if !(out.length() >= 0.5 * radius && out.length() <= 2.0 * radius) {
-        let (f, d) = (wide(ray.origin) - center, wide(ray.direction));
+    let (f, d) = (wide(ray.origin) - center, wide(ray.direction));
+    // What rounding may have moved the point by, against a part of the radius.
+    if 8.0 * R::UNIT_ROUNDOFF.to_f64() * hit.t * d.length() > radius / 4096.0 {
         let along = d / d.length();
         let foot = along.cross(f.cross(along));
         let half_chord = (radius * radius - foot.length_squared()).max(0.0).sqrt();
