@@ -43,8 +43,8 @@ pub fn triangle_facing<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>) -> Orderin
 /// The unit normal `(v1 - v0) x (v2 - v0)`; zero for a triangle without area, which is never hit.
 ///
 /// # Accuracy
-/// Within `2^-28` of the true one, usually a few ulp: where the cross product in f64 loses more to cancellation, as in a
-/// needle, it is computed exactly and rounded once.
+/// Within `2^-28` of the true one, usually a few ulp: where the cross product in f64 loses more to cancellation, as in
+/// a needle, it is computed exactly and rounded once.
 pub fn triangle_normal<R: Real>(triangle: &Triangle<R>) -> R::Vec3 {
     let (e1, e2) = edges::<R, f64>(triangle);
     let mut normal = cross(&e1, &e2);

@@ -257,8 +257,7 @@ pub fn transmitted_cosine_usual<R: Real>(eta: R, cos_incident: R) -> Option<R> {
 /// # Source
 ///
 /// `k = (eta c)^2 - (eta - 1)(eta + 1)`, which cancels less than the usual form; derived here. Every operand is exact
-/// in double-double, so k is within
-/// `8 + 8 + 3` times `u^2` of `(eta c)^2` or `|eta^2 - 1|`; taken as `64 u^2`.
+/// in double-double, so k is within `8 + 8 + 3` times `u^2` of `(eta c)^2` or `|eta^2 - 1|`; taken as `64 u^2`.
 ///
 /// # Example
 ///

@@ -1,10 +1,9 @@
 //! Which of two surfaces a ray meets first, exactly.
 //!
-//! Along one ray, `t` at a flat surface is a fraction `P / Q` of exact numbers, and `t` at a sphere is
-//! `(-b -+ sqrt(disc)) / a` with
-//! `a = d.d` shared by all spheres. Comparing two of them is the sign of an expression with at most two square roots,
-//! found by squaring as often as there are roots. Numbers of any length ([`Wide`]) carry it through: no cap on
-//! precision, so that ties are ties.
+//! Along one ray, `t` at a flat surface is a fraction `P / Q` of exact numbers, and `t` at a sphere is `(-b -+
+//! sqrt(disc)) / a` with `a = d.d` shared by all spheres. Comparing two of them is the sign of an expression with at
+//! most two square roots, found by squaring as often as there are roots. Numbers of any length ([`Wide`]) carry it
+//! through: no cap on precision, so that ties are ties.
 
 use std::cmp::Ordering;
 

@@ -13,12 +13,10 @@ use crate::numbers::error_free::{fast_two_sum, two_diff, two_product, two_sum};
 /// `3 u^2 (|a| + |b|)`, a product within `8 u^2 |a b|` of the true one, up to factors `1 + O(u)` that every bound
 /// built on these covers. The sum has no *relative* bound where it cancels, nor is one used.
 ///
-/// - Sum: `hi + hi` is exact as `s + e`; `lo + lo` rounds once, by `u^2 (|a| + |b|)` at most; adding `e`, where `|e|
-///   <= u |s|`,
-///   rounds once, by at most `u (u |s| + u (|a| + |b|)) <= 2 u^2 (|a| + |b|)`.
+/// - Sum: `hi + hi` is exact as `s + e`; `lo + lo` rounds once, by `u^2 (|a| + |b|)` at most; adding `e`, where `|e| <=
+///   u |s|`, rounds once, by at most `u (u |s| + u (|a| + |b|)) <= 2 u^2 (|a| + |b|)`.
 /// - Product, in units of `u^2 |a b|`: the dropped `lo lo` is 1; `hi lo` and `lo hi` round by 1 each, their sum (at
-///   most `2 u |a b|`)
-///   by 2, the sum with the error of `hi hi` (at most `3 u |a b|`) by 3: 8 in all.
+///   most `2 u |a b|`) by 2, the sum with the error of `hi hi` (at most `3 u |a b|`) by 3: 8 in all.
 ///
 /// # Source
 ///

@@ -42,10 +42,9 @@ impl Expansion {
 
     /// The value, rounded: relative error at most `4 u`, zero exactly for zero.
     pub fn estimate(&self) -> f64 {
-        // From the largest down: `sum` takes in the next component exactly as long as it can. As soon as a remainder
-        // is left over,
-        // `sum` is that close (one ulp, 2 u) to the whole, and the components not seen are smaller than an ulp of the
-        // remainder.
+        // From the largest down: `sum` takes in the next component exactly as long as it can. As soon as a remainder is
+        // left over, `sum` is that close (one ulp, 2 u) to the whole, and the components not seen are smaller than an
+        // ulp of the remainder.
         let mut from_largest = self.components.iter().rev();
         let Some(&(mut sum)) = from_largest.next() else { return 0.0 };
         for &x in from_largest {

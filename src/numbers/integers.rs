@@ -61,8 +61,7 @@ pub fn determinant(x: &Row, y: &Row, z: &Row) -> f64 {
     let product = |a: i64, b: i64| i128::from(a) * i128::from(b);
     let minor = |i: usize, j: usize| product(y[i], z[j]) - product(y[j], z[i]);
     // Each minor is at most 2^123. Cut at bit 64 into an upper part of at most 2^59 and a lower one below 2^64, times x
-    // of at most 2^61: three
-    // such products stay below 2^122 and 2^127.
+    // of at most 2^61: three such products stay below 2^122 and 2^127.
     let (mut upper, mut lower) = (0i128, 0i128);
     for (k, minor) in [minor(1, 2), minor(2, 0), minor(0, 1)].into_iter().enumerate() {
         upper += (minor >> 64) * i128::from(x[k]);

@@ -4,29 +4,37 @@
 //!
 //! - there are roots exactly when `disc >= 0`;
 //! - `t_in t_out = c / a` and `t_in + t_out = -2 b / a`: given roots, `t_out >= 0` exactly when `c <= 0` or `b <= 0`,
-//!   and
-//!   `t_in >= 0` exactly when `c >= 0` and `b <= 0`. Three signs make the verdict.
+//!   and `t_in >= 0` exactly when `c >= 0` and `b <= 0`. Three signs make the verdict.
 //!
 //! # The filter's bounds, derived here
 //!
 //! - `l`: each of the six products rounds in f, in the product and in the difference, 3 u; as a vector the error is at
-//!   most
-//!   `3 u sqrt(2) |f||d| < 4.25 u |f||d|`, since the sum of the squares of `|f_i d_j|`, `i != j`, is at most `|f|^2
-//! |d|^2`.
-//! - `l.l`: `2 * 4.25 u |f||d||l| + (4.25 u |f||d|)^2` from l, `3 u |l|^2` from the scalar product. `r^2 a`: 5
-//!   roundings. The
-//!   difference: `u (r^2 a + |l|^2)`. With `|l| <= |f||d|` in all: `6 u r^2 a + 12.5 u |f||d||l| + 19 u^2 |f|^2 |d|^2`.
-//!   The first test takes `|l| = |f||d|` and needs no root: `8 u r^2 a + 26 u |f|^2 a`.
-//!   Where the ray hits, `|l| <= r |d|`: `8 u r^2 a + 16 u r a |f| + 64 u^2 |f|^2 a`. This bounds the error of `t`.
-//!   Everywhere: `8 u r^2 a + 24 u |f||d||l| + (32 u)^2 |f|^2 a` with the computed l.
+//!   most `3 u sqrt(2) |f||d| < 4.25 u |f||d|`, since the sum of the squares of `|f_i d_j|`, `i != j`, is at most
+//!   `|f|^2 |d|^2`.
+//! - `l.l`: from l, `2 * 4.25 u |f||d||l| + (4.25 u |f||d|)^2`; from the scalar product, `3 u |l|^2`.
+//! - `r^2 a`: 5 roundings. The difference of the two: `u (r^2 a + |l|^2)`.
 //! - `c`: `f.f` 5 roundings (f twice), `r^2` one, the difference one: `6 u f.f + 2 u r^2`; taken as `8 u (f.f + r^2)`.
 //! - `b`: 4 roundings on `|f_i d_i|`: `4 u |f||d|`; taken as `8 u |f||d|`.
 //!
+//! So `disc` is within, and is taken to be within:
+//!
+//! ```text
+//! with |l| <= |f||d| in all     6 u r^2 a + 12.5 u |f||d||l| + 19 u^2 |f|^2 |d|^2
+//! first test, |l| = |f||d|      8 u r^2 a + 26 u |f|^2 a                                  (needs no root)
+//! at a hit, |l| <= r|d|         8 u r^2 a + 16 u r a |f| + 64 u^2 |f|^2 a             (bounds the error of t)
+//! everywhere, the computed l    8 u r^2 a + 24 u |f||d||l| + (32 u)^2 |f|^2 a
+//! ```
+//!
 //! # The double-double bounds
 //!
-//! In units of `u^2`, with 8 a product and 3 a sum: l `11 sqrt(2) |f||d|`, so `disc` is within
-//! `33 r^2 a + 49 |f||d||l| + 250 u^2 |f|^2 |d|^2`; `c` within `17 f.f + 11 r^2`; `b` within `14 |f||d|`.
-//! `8 u` times the filter's bounds is `64, 192, 8192 u` and `64, 64` and `64`: more in every term.
+//! With `8 u^2` a product and `3 u^2` a sum, `l` is within `11 sqrt(2) u^2 |f||d|`. In units of `u^2`:
+//!
+//! ```text
+//!          derived                                            8 u times the filter's
+//! disc     33 r^2 a +  49 |f||d||l| +  250 u^2 |f|^2 |d|^2    64 r^2 a + 192 |f||d||l| + 8192 u^2 |f|^2 |d|^2
+//! c        17 f.f + 11 r^2                                    64 f.f + 64 r^2
+//! b        14 |f||d|                                          64 |f||d|
+//! ```
 
 use crate::kernels::certified::FILTER_ACCURACY;
 use crate::kernels::{Certified, Miss, Ray, Sphere, SphereHit, Start};

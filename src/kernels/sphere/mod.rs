@@ -1,7 +1,7 @@
 //! Ray and sphere.
 //!
-//! With `f = o - c` the roots are those of `a t^2 + 2 b t + (f.f - r^2)`, `a = d.d`, `b = f.d`:
-//! `t = (-b -+ sqrt(disc)) / a`. The forms differ in how they come by `disc` and which cancellations they avoid.
+//! With `f = o - c` the roots are those of `a t^2 + 2 b t + (f.f - r^2)`, `a = d.d`, `b = f.d`: `t = (-b -+ sqrt(disc))
+//! / a`. The forms differ in how they come by `disc` and which cancellations they avoid.
 
 mod certified;
 

@@ -15,13 +15,11 @@
 //! determinant is six triple products. In each, a difference of stored numbers is rounded once (relative `u`), and:
 //!
 //! - `det = e1 . (d x e2)`: e2, the product, the difference in the vector product, e1, the product, two sums: 7
-//!   roundings, so
-//!   `6 * 7 u D L^2 = 42 u D L^2`;
+//!   roundings, so `6 * 7 u D L^2 = 42 u D L^2`;
 //! - `U = s . (d x e2)`, `V = d . (s x e1)`: 7 as well, `42 u D L M`;
 //! - `T = e2 . (s x e1)`: three rounded rows, 8 roundings, `48 u M L^2`;
 //! - `W = |det| - U - V` inherits those of all three, and its two subtractions round by `u |det - U|` and `u |W|`,
-//!   where
-//!   `|det| <= 6 D L^2` and `|U|, |V| <= 6 D L M`: `(42 + 12) u D L^2 + (84 + 18) u D L M`.
+//!   where `|det| <= 6 D L^2` and `|U|, |V| <= 6 D L M`: `(42 + 12) u D L^2 + (84 + 18) u D L M`.
 //!
 //! The constants below are larger by an eighth at least, which pays for the terms in `u^2` and the rounding of the
 //! bounds themselves:
@@ -179,8 +177,8 @@ pub fn intersect_triangle_certified<R: Real>(
     }
     if u > filter.uv && v > filter.uv && w > filter.w && t_scaled > filter.t {
         // t = T / det, T = T' + tau, det = det' + delta: T'/det' - T/det = (T'/det' delta - tau) / det, |tau| <= E_T,
-        // |delta| <= E_D,
-        // |det| >= det' - E_D. The quotient itself rounds by u t; the rest is paid by the room in the bounds.
+        // |delta| <= E_D, |det| >= det' - E_D. The quotient itself rounds by u t; the rest is paid by the room in the
+        // bounds.
         let t = t_scaled / det;
         let t_error = (filter.t + t * filter.det) / (det - filter.det) + 2.0 * U * t;
         if t_error <= FILTER_ACCURACY * t {
