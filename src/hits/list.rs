@@ -36,7 +36,8 @@ pub(super) fn object<R: Real, S: Sink<R>, P: Probe>(
     if let Geometry::Mesh(mesh) = world.geometry(id) {
         let mut test = test::MeshTest::new(world, mesh, ray, id, departure);
         for (primitive, bounds) in (0..).zip(&mesh.bounds) {
-            let owner = Owner { object: Some(id), primitive: Some(primitive), node: None, around_one: true };
+            let owner =
+                Owner { object: Some(id), primitive: Some(primitive), node: None, in_mesh: false, around_one: true };
             if let Some(t_in) = test::enters(sink.limit(), probe, &slabs, bounds, owner) {
                 test.triangle(primitive, t_in, sink, probe);
             }
@@ -46,7 +47,7 @@ pub(super) fn object<R: Real, S: Sink<R>, P: Probe>(
     let t_in = match world.bounds(id) {
         None => Some(0.0),
         Some(bounds) => {
-            let owner = Owner { object: Some(id), primitive: None, node: None, around_one: true };
+            let owner = Owner { object: Some(id), primitive: None, node: None, in_mesh: false, around_one: true };
             test::enters(sink.limit(), probe, &slabs, bounds, owner)
         }
     };

@@ -55,6 +55,8 @@ pub struct BoundsTest {
     pub primitive: Option<u32>,
     /// The node of the hierarchy; nothing in a list.
     pub node: Option<u32>,
+    /// Whether that is the hierarchy of the object's triangles, not of the scene's objects.
+    pub in_mesh: bool,
     /// Whether the box is around one shape or triangle alone.
     pub around_one: bool,
     /// The box.

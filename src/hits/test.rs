@@ -32,6 +32,7 @@ pub(super) struct Owner {
     pub(super) object: Option<ObjectId>,
     pub(super) primitive: Option<u32>,
     pub(super) node: Option<u32>,
+    pub(super) in_mesh: bool,
     pub(super) around_one: bool,
 }
 
@@ -53,8 +54,8 @@ pub(super) fn enters<P: Probe>(
         BoundsVerdict::Entered
     };
     probe.saw(|| {
-        let Owner { object, primitive, node, around_one } = owner;
-        Test::Bounds(BoundsTest { object, primitive, node, around_one, bounds: *bounds, t_in, t_out, verdict })
+        let Owner { object, primitive, node, in_mesh, around_one } = owner;
+        Test::Bounds(BoundsTest { object, primitive, node, in_mesh, around_one, bounds: *bounds, t_in, t_out, verdict })
     });
     (verdict == BoundsVerdict::Entered).then_some(t_in)
 }

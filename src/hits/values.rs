@@ -33,7 +33,8 @@ pub(super) fn of_object<R: Real>(numerics: Numerics, ray: &Ray<R>, geometry: &Ge
     }
 }
 
-/// Of a test of a triangle. The certified kernel's filter computes Möller and Trumbore's determinants in f64.
+/// Of a test of a triangle: `a`, `b` and `c = 1 - a - b` weigh v0, v1 and v2, whichever kernel it is. The certified kernel's
+/// filter computes what Möller and Trumbore's form does in f64.
 pub(super) fn of_triangle<R: Real>(numerics: Numerics, ray: &Ray<R>, triangle: &Triangle<R>) -> Values {
     match numerics {
         Numerics::Lecture => {
@@ -52,7 +53,7 @@ pub(super) fn of_triangle<R: Real>(numerics: Numerics, ray: &Ray<R>, triangle: &
 
 fn determinants<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>) -> Values {
     let v = triangle_moller_trumbore_values(ray, triangle);
-    [("det", v.det), ("u", v.u), ("v", v.v), ("w", v.w), ("t", v.t)].map(|(name, x)| (name, number(x))).to_vec()
+    [("det", v.det), ("a", v.w), ("b", v.u), ("c", v.v), ("t", v.t)].map(|(name, x)| (name, number(x))).to_vec()
 }
 
 fn of_plane<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Values {

@@ -34,7 +34,7 @@ pub(super) fn all<R: Real, S: Sink<R>, P: Probe>(
             _ => None,
         });
         let around_one = object_of.is_some() && triangles.is_none();
-        let owner = Owner { object: object_of, primitive: None, node: Some(node), around_one };
+        let owner = Owner { object: object_of, primitive: None, node: Some(node), in_mesh: false, around_one };
         let entered = enters(sink.limit(), probe, &slabs, bounds, owner);
         if let (Some(t_in), Some(id)) = (entered, object_of) {
             match triangles {
@@ -64,7 +64,8 @@ pub(super) fn mesh<R: Real, S: Sink<R>, P: Probe>(
             Visit::Inner => None,
             Visit::Leaf(primitive) => Some(primitive),
         };
-        let owner = Owner { object: Some(id), primitive, node: Some(node), around_one: primitive.is_some() };
+        let owner =
+            Owner { object: Some(id), primitive, node: Some(node), in_mesh: true, around_one: primitive.is_some() };
         let entered = enters(sink.limit(), probe, slabs, bounds, owner);
         if let (Some(t_in), Some(primitive)) = (entered, primitive) {
             test.triangle(primitive, t_in, sink, probe);

@@ -225,11 +225,14 @@ impl<R: Real> World<R> {
         }
     }
 
-    /// The unit geometric normal at a hit, outward; of a triangle `(v1 - v0) x (v2 - v0)`.
+    /// The unit geometric normal at a hit, outward; of a triangle `(v1 - v0) x (v2 - v0)`. At the centre of a sphere, where only
+    /// a radius of zero or a naive kernel leads, it is +x for want of a better one.
     pub fn geometric_normal(&self, point: R::Vec3, hit: &Candidate<R>) -> R::Vec3 {
         match self.geometry(hit.object) {
             Geometry::Plane(plane) => plane.normal,
-            Geometry::Sphere(sphere) => R::Vec3::from_f64(unit((point - sphere.center).to_f64()).unwrap_or_default()),
+            Geometry::Sphere(sphere) => {
+                R::Vec3::from_f64(unit((point - sphere.center).to_f64()).unwrap_or([1.0, 0.0, 0.0]))
+            }
             Geometry::Box(_) => {
                 let face = hit.primitive.unwrap_or_default();
                 let mut normal = [0.0; 3];
@@ -241,13 +244,16 @@ impl<R: Real> World<R> {
         }
     }
 
-    /// The point of a hit: `o + t d`, brought onto the surface of a sphere or box, where rounding has taken it off.
+    /// The point of a hit: `o + t d`; under certified numerics brought back onto the surface of a sphere or box, where
+    /// rounding has taken it off.
     pub fn point(&self, ray: &Ray<R>, hit: &Candidate<R>) -> R::Vec3 {
         let point = ray.at(R::from_f64(hit.t)).to_f64();
         // Where f32 overflows (a plane seen almost edge-on), the last finite coordinate.
         let largest = R::PRECISION.largest();
         let mut point = point.map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) });
         match self.geometry(hit.object) {
+            // Where the verdict itself may be wrong the point stays where its t has put it, so that one sees what that does.
+            _ if self.numerics != Numerics::Certified => {}
             Geometry::Sphere(sphere) => point = onto_sphere(ray, sphere, hit, point),
             Geometry::Box(aabb) => {
                 let face = hit.primitive.unwrap_or_default();

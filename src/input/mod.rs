@@ -4,8 +4,12 @@ mod json;
 mod nearest;
 mod printable;
 mod problem;
+#[cfg(feature = "schema")]
+mod schema;
 
 pub use json::{JsonPath, Located, Named, Segment, name, present, read_json};
 pub use nearest::{nearest, one_of};
 pub use printable::printable;
 pub use problem::{Place, Problem};
+#[cfg(feature = "schema")]
+pub use schema::schema_of;

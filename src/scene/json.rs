@@ -30,7 +30,7 @@ pub struct SceneFile {
     /// What a ray that hits nothing brings back; black if absent.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub background: Option<BackgroundFile>,
-    /// How deep the recursion goes: reflected and refracted rays are traced below this depth. 5 if absent, 64 at most.
+    /// How deep the recursion goes: reflected and refracted rays are traced up to this depth. 5 if absent, 64 at most.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(range(max = 64)))]
     pub max_depth: Option<u32>,
@@ -64,7 +64,7 @@ impl SceneFile {
     /// The JSON Schema of the format.
     #[cfg(feature = "schema")]
     pub fn schema() -> schemars::Schema {
-        schemars::schema_for!(Self)
+        crate::input::schema_of::<Self>()
     }
 }
 

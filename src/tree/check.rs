@@ -35,6 +35,11 @@ pub fn read_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
             "the number of nodes that were traced, shadow rays among them",
         ));
     }
+    let apart = |a: [f64; 3], b: [f64; 3]| (0..3).any(|k| !((a[k] - b[k]).abs() <= FOREIGN * a[k].abs().max(1.0)));
+    if tree.root.radiance.is_some_and(|radiance| apart(tree.color, radiance)) {
+        let help = "the color of a tree is the radiance of its root";
+        return Err(located.problem(&root.child("color"), "not what the root brings back", help));
+    }
     if is_complete(&tree.root) {
         let ledger = Ledger::of(&tree);
         // The sum's own bound is for f64; other tracers may compute in f32.
@@ -111,6 +116,12 @@ fn check(located: Located<'_>, path: &JsonPath, node: &RayNode) -> Result<(), Pr
             if normal.is_some_and(|n| !((length(n) - 1.0).abs() < 1e-5)) {
                 return Err(located.problem(&path.child(key), "a normal that is not of length 1", "a unit vector"));
             }
+        }
+        let reach = node.origin.iter().chain(&node.direction).fold(1.0_f64, |m, x| m.max(x.abs())) * hit.t.max(1.0);
+        let at = |k: usize| node.origin[k] + hit.t * node.direction[k];
+        if (0..3).any(|k| !((at(k) - hit.point[k]).abs() <= 1e-3 * reach)) {
+            let help = format!("near origin + t * direction, {:?}", [at(0), at(1), at(2)]);
+            return Err(located.problem(&path.child("point"), "a point that is not on the ray", help));
         }
         if hit.barycentrics.is_some_and(|[a, b, c]| !((a + b + c - 1.0).abs() < 1e-5)) {
             return Err(located.problem(&path.child("barycentrics"), "they do not add up to 1", "[a, b, 1-a-b]"));

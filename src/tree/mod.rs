@@ -34,6 +34,7 @@ pub const FORMAT: &str = "raytree/1";
 #[serde(deny_unknown_fields, expecting = "a ray tree (an object)")]
 pub struct RayTree {
     /// `raytree/1`.
+    #[cfg_attr(feature = "schema", schemars(extend("const" = "raytree/1")))]
     pub format: String,
     /// The program that wrote it.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
@@ -90,7 +91,7 @@ pub struct Settings {
     /// The set of kernels.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
-    /// Children are traced where `depth < max_depth`.
+    /// The depth up to which children are traced.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
     /// Children whose largest weight component is below this are not traced.
@@ -336,6 +337,6 @@ impl RayTree {
     /// The JSON Schema of the format.
     #[cfg(feature = "schema")]
     pub fn schema() -> schemars::Schema {
-        schemars::schema_for!(Self)
+        crate::input::schema_of::<Self>()
     }
 }

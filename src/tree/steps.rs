@@ -26,6 +26,9 @@ pub struct BoundsRecord {
     /// The node of the hierarchy, from 0, parents first; absent in a list.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub node: Option<u32>,
+    /// There, and true, where that is the hierarchy of the object's triangles, not of the scene's objects.
+    #[serde(default, skip_serializing_if = "super::is_false")]
+    pub in_mesh: bool,
     /// The object's name, where the box is around one object or a part of it.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub object: Option<String>,
@@ -116,6 +119,7 @@ impl TestRecord {
                 };
                 Self::Bounds(BoundsRecord {
                     node: test.node,
+                    in_mesh: test.in_mesh,
                     object: test.object.map(&name),
                     shape: test.object.map(|id| id.0),
                     primitive: test.primitive,

@@ -133,7 +133,7 @@ fn test_line(test: &TestRecord) -> String {
         TestRecord::Bounds(test) => {
             line.push_str("box of");
             if let Some(node) = test.node {
-                write!(line, " node {node}").ok();
+                write!(line, " {}node {node}", if test.in_mesh { "mesh " } else { "" }).ok();
             }
             if let Some(shape) = test.shape {
                 line.push_str(&place(test.object.as_deref(), shape));
@@ -145,6 +145,9 @@ fn test_line(test: &TestRecord) -> String {
                 if let Some(t) = t {
                     write!(line, "  {name} {}", number(t)).ok();
                 }
+            }
+            if test.reason.as_deref() == Some("pruned by its box") {
+                return line + "  rejected: t_in > t_out, what is inside is pruned by its box";
             }
             (test.verdict, &test.reason)
         }

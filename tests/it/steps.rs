@@ -14,7 +14,7 @@ use crate::support::{scenes, small_scene, tracer, tree};
 fn replay(shape: &Shape, primitive: Option<u32>, ray: &Ray<f64>) -> Vec<(&'static str, f64)> {
     let of_triangle = |vertices| {
         let v = triangle_moller_trumbore_values(ray, &Triangle::<f64> { vertices });
-        vec![("det", v.det), ("u", v.u), ("v", v.v), ("w", v.w), ("t", v.t)]
+        vec![("det", v.det), ("a", v.w), ("b", v.u), ("c", v.v), ("t", v.t)]
     };
     match shape {
         Shape::Sphere { center, radius } => {
