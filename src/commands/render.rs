@@ -32,9 +32,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     target.write_all(&picture(&loaded, &args.trace, args.threads, format)?)
 }
 
-/// The format of a picture's file name; standard output takes PNG.
+/// The format of a picture's file name; standard output, a device and a pipe take PNG.
 pub(super) fn format_of(file: &str) -> Result<Format, Failure> {
-    let format = if file == "-" { Some(Format::Png) } else { Format::of(file) };
+    let is_special = || std::fs::metadata(file).is_ok_and(|data| !data.is_file() && !data.is_dir());
+    let format = if file == "-" || is_special() { Some(Format::Png) } else { Format::of(file) };
     format.ok_or_else(|| {
         let message = "no picture format goes with this ending";
         Problem::new(file, message, "a path that ends in .png, .exr or .pfm, or - for a PNG on standard output").into()

@@ -7,6 +7,7 @@ use std::ops::Range;
 use jsonc_parser::ast;
 use jsonc_parser::common::Ranged;
 use serde::de::{DeserializeOwned, Deserializer, MapAccess, Visitor};
+use serde_json::Value;
 
 use super::problem::Problem;
 use super::{nearest, one_of};
@@ -130,6 +131,36 @@ pub fn read_json<T: DeserializeOwned>(located: Located<'_>) -> Result<T, Problem
     let value = serde_path_to_error::deserialize(&mut json).map_err(|error| explain(located, error))?;
     json.end().map_err(|error| syntax(located, &error))?;
     Ok(value)
+}
+
+/// Refuses a text that wrote an object as the array of its values, which serde would take.
+///
+/// `value` is what was read from it.
+///
+/// # Errors
+/// One [`Problem`] for the first such array.
+pub fn refuse_arrays_for_objects(located: Located<'_>, value: &impl serde::Serialize) -> Result<(), Problem> {
+    let text = located.text.strip_prefix('\u{feff}').unwrap_or(located.text);
+    let (Ok(written), Ok(read)) = (serde_json::from_str(text), serde_json::to_value(value)) else { return Ok(()) };
+    match array_for_object(&JsonPath::default(), &written, &read) {
+        None => Ok(()),
+        Some(path) => Err(located.problem(&path, "an array where an object belongs", "write an object, with its keys")),
+    }
+}
+
+fn array_for_object(path: &JsonPath, written: &Value, read: &Value) -> Option<JsonPath> {
+    match (written, read) {
+        (Value::Array(_), Value::Object(_)) => Some(path.clone()),
+        (Value::Array(written), Value::Array(read)) => {
+            let mut entries = written.iter().zip(read).enumerate();
+            entries.find_map(|(i, (written, read))| array_for_object(&path.child(i), written, read))
+        }
+        (Value::Object(written), Value::Object(read)) => {
+            let mut entries = written.iter().filter_map(|(key, value)| Some((key, value, read.get(key)?)));
+            entries.find_map(|(key, written, read)| array_for_object(&path.child(key.as_str()), written, read))
+        }
+        _ => None,
+    }
 }
 
 fn explain(located: Located<'_>, error: serde_path_to_error::Error<serde_json::Error>) -> Problem {

@@ -7,7 +7,7 @@ mod problem;
 #[cfg(feature = "schema")]
 mod schema;
 
-pub use json::{JsonPath, Located, Named, Segment, name, present, read_json};
+pub use json::{JsonPath, Located, Named, Segment, name, present, read_json, refuse_arrays_for_objects};
 pub use nearest::{nearest, one_of};
 pub use printable::printable;
 pub use problem::{Place, Problem};

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::{Fresnel, Numerics, Scene, validate};
-use crate::input::{Located, Named, Problem, name, present, read_json};
+use crate::input::{Located, Named, Problem, name, present, read_json, refuse_arrays_for_objects};
 use crate::numbers::Precision;
 
 pub use super::mesh::Transform;
@@ -425,6 +425,7 @@ pub fn load(
 ) -> Result<Loaded, Problem> {
     let located = Located { file, text };
     let scene_file: SceneFile = read_json(located)?;
+    refuse_arrays_for_objects(located, &scene_file)?;
     let mut hash = Sha256::new();
     hash.update(text.as_bytes());
     let scene = validate::scene(located, &scene_file, &mut |name| {

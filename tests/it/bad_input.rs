@@ -75,6 +75,8 @@ fn scenes() {
         to("{ \"sphere\": { \"center\": [0, 0, 0], \"radius\": 1 } }", "\"sphere\""),
         to("\"radius\": 1 }", "\"radius\": 1 }, \"box\": { \"min\": [0, 0, 0], \"max\": [1, 1, 1] }"),
         to("\"radius\": 1", "\"radius\": 1."),
+        to("{ \"width\": 8, \"height\": 6 }", "[8, 6]"),
+        to("{ \"center\": [0, 0, 0], \"radius\": 1 }", "[[0, 0, 0], 1]"),
         to("\"center\": [0, 0, 0]", "\"center\": [0, 0]"),
         to("\"diffuse\": 1", "\"diffuse\": [1, 0.5]"),
         to("\"diffuse\": 1", "\"diffuse\": false"),

@@ -187,6 +187,8 @@ fn a_full_disk_is_the_machines_fault() {
     assert_eq!(output.status.code(), Some(3));
     assert!(text(&output.stderr).contains("No space left"));
     assert!(bad(3, "schema tree -o /dev/full").contains("No space left"));
+    assert!(bad(3, "render scenes/first-hit.json -o /dev/full").contains("No space left"));
+    assert!(bad(3, &format!("pixel {SCENE} 0,0 --json -o /dev/full")).contains("No space left"));
     assert!(Path::new("/dev/full").exists());
     let output = raytree().args(["--help"]).stdout(full()).output().unwrap();
     assert_eq!(output.status.code(), Some(3));
