@@ -38,7 +38,7 @@ pub enum Root<'a, R: Real> {
 /// # Accuracy
 ///
 /// Exact. Where the two `t` in f64 are further apart than the bounds on their errors that is all it takes; otherwise it
-/// allocates and takes some microseconds.
+/// allocates, and is far dearer.
 ///
 /// # Source
 ///

@@ -1,4 +1,4 @@
-//! Pairs of `f64`: about 106 bits, at ten times the cost of plain `f64`.
+//! Pairs of `f64`: about 106 bits, at many times the cost of plain `f64`.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
