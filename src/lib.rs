@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 
@@ -35,5 +35,7 @@ pub mod tree;
 #[cfg(feature = "pictures")]
 pub mod pictures;
 
+#[cfg(feature = "accuracy")]
+pub mod accuracy;
 #[cfg(feature = "cli")]
 pub mod commands;

@@ -19,6 +19,7 @@ pub mod wide;
 pub use certificate::{Certificate, Stage};
 pub use double_double::DoubleDouble;
 pub use expansion::Expansion;
+pub(crate) use range::power_of_two;
 pub use range::{flush_tiny, is_in_range};
 pub use real::{Precision, Real, Vector3};
 pub use ring::{Known, Ring, determinant, dot};

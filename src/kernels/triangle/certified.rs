@@ -254,21 +254,20 @@ fn decide<R: Real>(determinants: &impl Determinants) -> Result<Certified<Triangl
     if sign == 0.0 {
         return Err(Miss::Parallel);
     }
-    let weight = |quantity, miss| {
-        let x = fold(determinants.decided(quantity).value, sign);
-        // The sum turns -0 into 0.
-        if x < 0.0 { Err(miss) } else { Ok(x + 0.0) }
+    let not_negative = |quantity, miss| {
+        if fold(determinants.decided(quantity).value, sign) < 0.0 { Err(miss) } else { Ok(()) }
     };
-    let u = weight(Quantity::U, Miss::BIsNegative)?;
-    let v = weight(Quantity::V, Miss::SumExceedsOne)?;
-    let w = weight(Quantity::W, Miss::AIsNegative)?;
-    weight(Quantity::T, Miss::Behind)?;
+    not_negative(Quantity::U, Miss::BIsNegative)?;
+    not_negative(Quantity::V, Miss::SumExceedsOne)?;
+    not_negative(Quantity::W, Miss::AIsNegative)?;
+    not_negative(Quantity::T, Miss::Behind)?;
     let (det, t_scaled) = (determinants.measured(Quantity::Det), determinants.measured(Quantity::T));
     let magnitude = det.value.abs();
     let t = t_scaled.value.abs() / magnitude;
     // Both are within 2^-48 or better, so that their product and 1 / (1 - 2^-48) are well within the 8 u.
     let t_error = t * (t_scaled.relative_error + det.relative_error + 8.0 * U);
-    let barycentrics = [w, u, v].map(|x| R::from_f64(x / magnitude));
+    let weight = |quantity| R::from_f64(determinants.measured(quantity).value.abs() / magnitude);
+    let barycentrics = [Quantity::W, Quantity::U, Quantity::V].map(weight);
     Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error })
 }
 

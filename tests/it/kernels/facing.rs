@@ -3,11 +3,11 @@
 use glam::DVec3;
 use raytree::kernels::{Plane, Ray, Triangle, plane_facing, triangle_facing, triangle_normal};
 
-use super::referee::{cross, dot, q, sign, subtract, vector};
-use super::sets::Random;
+use raytree::accuracy::random::Random;
+use raytree::accuracy::referee::{cross, dot, q, sign, subtract, vector};
 
 fn any(rng: &mut Random) -> DVec3 {
-    DVec3::from_array(rng.point(1.0))
+    rng.point(1.0)
 }
 
 /// A direction as good as perpendicular to `n`, as far as rounding lets it.

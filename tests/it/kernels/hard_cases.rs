@@ -5,7 +5,7 @@
 use raytree::kernels::*;
 use serde_json::Value;
 
-use super::referee::{SphereTruth, TriangleTruth, box_span, is_within, plane as plane_truth, q};
+use raytree::accuracy::referee::{SphereTruth, TriangleTruth, box_span, is_within, plane as plane_truth, q};
 
 type Row<'a> = &'a Value;
 

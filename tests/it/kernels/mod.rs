@@ -10,8 +10,9 @@ mod numbers;
 mod optics;
 mod order;
 mod plane;
-mod referee;
-mod sets;
 mod sphere;
 mod triangle;
 mod values;
+
+/// How many of every set are held against the referee.
+const PAIRS: usize = 100_000;

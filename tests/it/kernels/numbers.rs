@@ -3,8 +3,8 @@ use raytree::numbers::{
     Certificate, DoubleDouble, Expansion, Ring, Stage, Wide, determinant, flush_tiny, integers, is_in_range,
 };
 
-use super::referee::{Q, q, sign};
-use super::sets::Random;
+use raytree::accuracy::random::Random;
+use raytree::accuracy::referee::{Q, q, sign};
 
 #[test]
 fn error_free_transformations_are_exact() {
@@ -84,7 +84,7 @@ fn integer_determinants_are_exact() {
         let y = y.map(|a| a & !1);
         let wide = |r: &integers::Row| r.map(Q::from);
         let [a, b, c] = [wide(&x), wide(&y), wide(&z)];
-        let exact = super::referee::dot(&a, &super::referee::cross(&b, &c));
+        let exact = raytree::accuracy::referee::dot(&a, &raytree::accuracy::referee::cross(&b, &c));
         let value = integers::determinant(&x, &y, &z);
         let error = q(value) - &exact;
         assert!(

@@ -2,51 +2,19 @@ use raytree::kernels::optics::{fresnel_exact, fresnel_schlick, transmitted_cosin
 use raytree::kernels::*;
 use raytree::numbers::{Real, Stage, Vector3};
 
-use super::referee::{Q, dot, q, sign, vector};
-use super::sets::{P, Random, stored};
+use raytree::accuracy::random::Random;
+use raytree::accuracy::referee::{dot, q, sign, transmission, vector};
+use raytree::accuracy::sets::{Crossing, OpticsSet};
 
-fn transmission<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> Q {
-    let (d, n) = (vector::<R>(d), vector::<R>(n));
-    let (n_i, n_t) = (q(incident.to_f64()), q(transmitted.to_f64()));
-    let (sine_sq, all) = (super::referee::cross(&d, &n), dot(&d, &d) * dot(&n, &n));
-    // |d x n|^2 is |d|^2 |n|^2 - (d.n)^2.
-    &n_t * &n_t * all - &n_i * &n_i * dot(&sine_sq, &sine_sq)
-}
+use super::PAIRS;
 
-fn check<R: Real>(count: usize, seed: u64) {
-    let mut random = Random::new(seed);
-    let g = &mut random;
+fn check<R: Real>(seed: u64) {
+    let g = &mut Random::new(seed);
     let (mut usual, mut total, mut stages) = (0, 0, [0; 4]);
     let mut worst = 0.0f64;
-    for i in 0..count {
-        let (incident, transmitted) = (R::from_f64(1.0 + 1.5 * g.unit()), R::from_f64(1.0 + 0.2 * g.unit()));
-        let (d, n): (P, P) = match i % 4 {
-            // Pythagorean: the critical angle can be exact.
-            0 => {
-                let s = [(3.0, 4.0), (5.0, 12.0), (8.0, 15.0), (7.0, 24.0)][g.below(4)];
-                ([s.0, -s.1, 0.0], [0.0, [0.5, 1.0, 3.0][g.below(3)], 0.0])
-            }
-            1 => (g.point(1.0), g.point(1.0)),
-            _ => {
-                // Within a few ulp of the critical angle.
-                let sine = (transmitted.to_f64() / incident.to_f64()).min(1.0);
-                let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-                let (x, y) = (g.nudge(R::from_f64(sine), 3).to_f64(), g.nudge(R::from_f64(cosine), 3).to_f64());
-                ([x, -y, 0.0], [0.0, 1.0, 0.0])
-            }
-        };
-        let (incident, transmitted) = if i % 4 == 0 {
-            // n_i sin = n_t with integers, sometimes off by an ulp.
-            let (a, b) = (d[0], (d[0] * d[0] + d[1] * d[1]).sqrt());
-            (g.nudge(R::from_f64(b), 1), R::from_f64(a))
-        } else {
-            (incident, transmitted)
-        };
-        let (d, n) = (stored::<R>(d), stored::<R>(n));
-        if d.to_f64() == [0.0; 3] || n.to_f64() == [0.0; 3] {
-            continue;
-        }
-        let s = transmission(d, n, incident, transmitted);
+    for set in (0..PAIRS).map(|i| OpticsSet::ALL[i % 3]) {
+        let Crossing { direction: d, normal: n, incident, transmitted } = set.next::<R>(g);
+        let s = transmission::<R>(d, n, incident, transmitted);
         let is_total = sign(&s) < 0;
         let context = || format!("{d:?} {n:?} {incident} {transmitted}");
         assert_eq!(is_total_reflection(d, n, incident, transmitted), is_total, "{}", context());
@@ -94,12 +62,12 @@ fn check<R: Real>(count: usize, seed: u64) {
         usual += usize::from(transmitted_cosine_usual(eta, c).is_none() != is_total);
     }
     println!(
-        "total reflection {:?}: {total} of {count}, stages {stages:?}, usual form wrong {usual}, \
+        "total reflection {:?}: {total} of {PAIRS}, stages {stages:?}, usual form wrong {usual}, \
          component off by at most {worst:.1} u |d|",
         R::PRECISION
     );
-    assert!(usual > count / 100, "not hard");
-    assert!(stages[Stage::Expansion as usize] > 100 && total > count / 10);
+    assert!(usual > PAIRS / 100, "not hard");
+    assert!(stages[Stage::Expansion as usize] > 100 && total > PAIRS / 10);
 }
 
 fn vector_f64<R: Real>(v: R::Vec3) -> glam::DVec3 {
@@ -108,8 +76,8 @@ fn vector_f64<R: Real>(v: R::Vec3) -> glam::DVec3 {
 
 #[test]
 fn total_reflection_is_decided_exactly() {
-    check::<f64>(20_000, 41);
-    check::<f32>(20_000, 42);
+    check::<f64>(41);
+    check::<f32>(42);
 }
 
 fn check_cosine<R: Real>(count: usize, seed: u64) -> usize {
@@ -177,7 +145,7 @@ fn rows_f_of_refraction_and_fresnel() {
     let mut g = Random::new(47);
     for _ in 0..10_000 {
         // F09: equal indices copy the direction, straight on it is kept (F10).
-        let (d, n) = (glam::DVec3::from_array(g.point(1.0)), glam::DVec3::from_array(g.point(1.0)).normalize());
+        let (d, n) = (g.point(1.0), g.direction());
         let index = 1.0 + g.unit();
         assert_eq!(refract::<f64>(d, n, index, index), Some(d));
         assert_eq!(refract::<f64>(-n, n, 1.0, index), Some(-n));
@@ -212,7 +180,7 @@ fn rows_f_of_refraction_and_fresnel() {
     }
     // F18: a parallel slab.
     for _ in 0..10_000 {
-        let mut d = glam::DVec3::from_array(g.point(1.0)).normalize();
+        let mut d = g.direction();
         d.y = -d.y.abs();
         let n = glam::DVec3::Y;
         let inside = refract::<f64>(d, n, 1.0, 1.5).unwrap();

@@ -1,10 +1,11 @@
 use std::cmp::Ordering;
 
+use glam::DVec3;
 use raytree::kernels::*;
 use raytree::numbers::Vector3;
 
-use super::referee::{Q, SphereTruth, TriangleTruth, plane, q, sign};
-use super::sets::{P, Random, mix, rounded, stored, subtract};
+use raytree::accuracy::random::{Random, rounded, stored};
+use raytree::accuracy::referee::{Q, SphereTruth, TriangleTruth, plane, q, sign};
 
 /// Enough for the roots below: two that are not equal differ long before.
 const BITS: usize = 3000;
@@ -69,15 +70,13 @@ struct Shapes {
 }
 
 impl Shapes {
-    fn at(g: &mut Random, p: P, integers: bool) -> Shapes {
+    fn at(g: &mut Random, p: DVec3, integers: bool) -> Shapes {
         let vector = |g: &mut Random| if integers { g.small_integers() } else { g.point(1.0) };
         let n = vector(g);
-        let dot: f64 = (0..3).map(|k| n[k] * p[k]).sum();
         let (u, v) = (vector(g), vector(g));
-        let add = |a: P, b: P| -> P { std::array::from_fn(|k| a[k] + b[k]) };
         let face = g.below(6) as u32;
-        let (k, corner) = (face as usize / 2, vector(g).map(f64::abs));
-        let (mut min, mut max) = (subtract(p, corner), add(p, corner));
+        let (k, corner) = (face as usize / 2, vector(g).abs());
+        let (mut min, mut max) = (p - corner, p + corner);
         (if face.is_multiple_of(2) { &mut min } else { &mut max })[k] = p[k];
         // With integers: an offset of integer length, so that the radius is exact.
         let (offset, radius) = if integers {
@@ -86,18 +85,18 @@ impl Shapes {
             let (offset, radius) = triples[g.below(4)];
             let scale = 1.0 + g.below(3) as f64;
             let turn = g.below(3);
-            let flip: P = std::array::from_fn(|_| if g.below(2) == 0 { scale } else { -scale });
-            (std::array::from_fn(|k| flip[k] * offset[(k + turn) % 3]), scale * radius)
+            let flip = g.vector(|g| if g.one_in(2) { scale } else { -scale });
+            (flip * DVec3::from_array([0, 1, 2].map(|k| offset[(k + turn) % 3])), scale * radius)
         } else {
             let v = g.point(2.0);
-            (v, (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt())
+            (v, v.length())
         };
         Shapes {
-            plane: Plane { normal: stored::<f64>(n), distance: dot },
-            triangle: Triangle { vertices: [p, add(p, u), add(p, v)].map(stored::<f64>) },
+            plane: Plane { normal: stored::<f64>(n), distance: n.dot(p) },
+            triangle: Triangle { vertices: [p, p + u, p + v].map(stored::<f64>) },
             aabb: Aabb { min: stored::<f64>(min), max: stored::<f64>(max) },
             face,
-            sphere: Sphere { center: stored::<f64>(add(p, offset)), radius },
+            sphere: Sphere { center: stored::<f64>(p + offset), radius },
         }
     }
 
@@ -121,12 +120,12 @@ fn order_is_that_of_rational_arithmetic() {
         let integers = i % 3 != 0;
         let vector = |g: &mut Random| if integers { g.small_integers() } else { rounded::<f64>(g.point(1.0)) };
         let (o, d) = (vector(g), vector(g));
-        if d == [0.0; 3] {
+        if d == DVec3::ZERO {
             continue;
         }
         let ray = Ray::<f64> { origin: stored::<f64>(o), direction: stored::<f64>(d) };
         let t = if integers { g.below(5) as f64 } else { 3.0 * g.unit() };
-        let p: P = std::array::from_fn(|k| o[k] + t * d[k]);
+        let p = o + d * t;
         let (a, b) = (Shapes::at(g, p, integers), Shapes::at(g, p, integers));
         for x in a.roots() {
             let Some(truth_x) = truth(&ray, x) else { continue };
@@ -192,17 +191,16 @@ fn order_at_the_ends_of_the_range() {
     let g = &mut random;
     let mut seen = 0;
     for i in 0..2000 {
-        let wild = |g: &mut Random| -> P { std::array::from_fn(|_| g.wild(126)) };
+        let wild = |g: &mut Random| g.wild_vector(126);
         let (o, d) = (wild(g), wild(g));
-        if d == [0.0; 3] {
+        if d == DVec3::ZERO {
             continue;
         }
         let ray = Ray::<f64> { origin: stored::<f64>(o), direction: stored::<f64>(d) };
         let sphere = |g: &mut Random| {
             // The origin on or near it, or anything.
-            let c = if i % 2 == 0 { wild(g) } else { mix(o, wild(g), 0.5) };
-            let f = subtract(o, c);
-            let largest = f.into_iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            let c = if i % 2 == 0 { wild(g) } else { o.lerp(wild(g), 0.5) };
+            let largest = (o - c).abs().max_element();
             Sphere::<f64> {
                 center: stored::<f64>(c),
                 radius: if largest > 0.0 { largest * (1.0 + g.unit()) } else { 1.0 },

@@ -3,7 +3,8 @@
 use raytree::kernels::*;
 use raytree::numbers::Real;
 
-use super::sets::{Random, TRIANGLE_SETS, stored, triangles};
+use raytree::accuracy::random::{Random, stored};
+use raytree::accuracy::sets::TriangleSet;
 
 /// Equal, or both NaN.
 fn same<R: Real>(a: R, b: R) {
@@ -13,8 +14,10 @@ fn same<R: Real>(a: R, b: R) {
 
 fn check_triangles<R: Real>() {
     let mut hits = [0; 3];
-    for set in TRIANGLE_SETS {
-        for (ray, triangle) in triangles::<R>(set, 1000, 61) {
+    for set in TriangleSet::ALL {
+        let mut g = Random::new(61);
+        for _ in 0..1000 {
+            let (ray, triangle) = set.next::<R>(&mut g);
             let values = triangle_moller_trumbore_values(&ray, &triangle);
             let inside = values.u >= R::ZERO && values.v >= R::ZERO && values.w >= R::ZERO && values.t >= R::ZERO;
             let hit = intersect_triangle_moller_trumbore(&ray, &triangle);
