@@ -38,7 +38,7 @@ fn take(rays_left: &mut u64) -> bool {
 }
 
 fn trace(tracer: &Tracer<'_, f64>, path: Path<'_>, rays_left: &mut u64) -> Rgb {
-    match tracer.world().nearest(path.ray, Limit::None, path.departure, &mut ()) {
+    match tracer.world().nearest(path.ray, Limit::None, path.departure, &mut ()).expect("a ray") {
         Some(hit) => shade(tracer, path, &Surface::new(tracer, path.ray, hit, path.inside), rays_left),
         None => tracer.scene().background.color(glam::DVec3::from_array(path.ray.direction.to_f64())),
     }
@@ -67,7 +67,7 @@ fn direct_light(tracer: &Tracer<'_, f64>, path: Path<'_>, surface: &Surface<f64>
         }
         let limit = to.t_max.map_or(Limit::None, Limit::Below);
         let leaving = Leaving::new(tracer, path.ray, surface, to.ray.direction, Secondary::Reflected);
-        if !tracer.world().is_hit(&to.ray, limit, leaving.departure()) {
+        if !tracer.world().is_hit(&to.ray, limit, leaving.departure()).expect("a ray") {
             let term = tracer.light_term(path.ray, surface, color, &to);
             sum += term.diffuse + term.specular;
         }
@@ -82,7 +82,7 @@ fn secondary(
     way: &Way<f64>,
     rays_left: &mut u64,
 ) -> Rgb {
-    let ray = spawn(surface.point, way.direction);
+    let ray = spawn(surface.origin_towards(way.direction), way.direction);
     let weight = path.weight * way.weight;
     let limits = tracer.limits();
     let too_deep = path.level >= limits.max_depth;

@@ -10,7 +10,7 @@ use crate::input::{Problem, nearest, one_of};
 use crate::kernels::Ray;
 use crate::numbers::{Precision, Real, Vector3, flush_tiny, is_in_range};
 use crate::scene::{Limits, Loaded, Numerics, Scene};
-use crate::transport::{Options, Tracer, Unfit};
+use crate::transport::{LeavingPolicy, Options, Tracer, Unfit};
 
 /// How to trace, where it is not the scene that says so.
 #[derive(Clone, Debug, clap::Args)]
@@ -22,6 +22,10 @@ pub(super) struct TraceArgs {
     /// Set of kernels [default: the scene's, else certified]
     #[arg(long, value_enum)]
     numerics: Option<NumericsArg>,
+    /// What keeps a ray from hitting the surface it starts on: provenance, error-bound, or an epsilon [default: what goes
+    /// with the kernels]
+    #[arg(long, value_name = "POLICY", allow_negative_numbers = true, value_parser = leaving_policy)]
+    leaving: Option<LeavingPolicy>,
     /// How hits are found; the results are the same
     #[arg(long, value_enum, default_value_t = AccelerationArg::Bvh)]
     acceleration: AccelerationArg,
@@ -58,6 +62,17 @@ fn depths() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(..=i64::from(Limits::DEEPEST))
 }
 
+fn leaving_policy(word: &str) -> Result<LeavingPolicy, String> {
+    match word {
+        "provenance" => Ok(LeavingPolicy::Provenance),
+        "error-bound" => Ok(LeavingPolicy::ErrorBound),
+        _ => match word.parse::<f64>() {
+            Ok(epsilon) if epsilon >= 0.0 && epsilon.is_finite() => Ok(LeavingPolicy::FixedEpsilon(epsilon)),
+            _ => Err("`provenance`, `error-bound`, or an epsilon of 0 or more".into()),
+        },
+    }
+}
+
 /// How many threads a command may be given.
 pub(super) fn thread_counts() -> clap::builder::RangedI64ValueParser<u16> {
     clap::value_parser!(u16).range(1..=1024)
@@ -83,6 +98,7 @@ impl TraceArgs {
                 NumericsArg::Certified => Numerics::Certified,
             };
         }
+        options.leaving = self.leaving;
         options.acceleration = match self.acceleration {
             AccelerationArg::List => Acceleration::List,
             AccelerationArg::Bvh => Acceleration::Bvh,

@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::files;
 use super::options::{TraceArgs, make_ray};
 use super::pixel::ShowArgs;
+use crate::input::Problem;
 use crate::numbers::{Precision, Real};
 use crate::scene::Loaded;
 use crate::tree::{Origin, RayTree, record_ray};
@@ -39,5 +40,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 fn record<R: Real>(loaded: &Loaded, args: &Args) -> Result<RayTree, Failure> {
     let ray = make_ray::<R>(&args.origin, &args.direction)?;
     let tracer = args.trace.tracer::<R>(loaded)?;
-    Ok(record_ray(&tracer, Origin { loaded, keep: args.show.keep() }, &ray))
+    record_ray(&tracer, Origin { loaded, keep: args.show.keep() }, &ray).map_err(|invalid| {
+        Problem::new("RAY", invalid.to_string(), "finite numbers, and a direction that is not zero").into()
+    })
 }

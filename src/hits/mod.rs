@@ -6,6 +6,7 @@
 pub mod bvh;
 pub mod list;
 mod nearest;
+mod point;
 mod probe;
 mod slabs;
 mod start;

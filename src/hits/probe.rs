@@ -123,6 +123,8 @@ pub enum Reason {
     Left,
     /// It lies in the plane of the triangle that the ray starts on.
     CoplanarWithLeft,
+    /// It lies within the epsilon that stands for the surface the ray starts on.
+    WithinEpsilon,
     /// The computed `t` is infinite or no number.
     NotFinite,
     /// The computed hit lies in front of the shape's bounding box, so rounding made it up.

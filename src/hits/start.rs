@@ -1,4 +1,4 @@
-//! Where a ray starts: the surfaces it left, by identity. No epsilon, no moved origin.
+//! How a ray starts: on the surfaces it left, by identity; or beyond the lecture's epsilon.
 
 use crate::kernels::Start;
 use crate::scene::ObjectId;
@@ -14,29 +14,41 @@ pub struct Left {
     pub inward: bool,
 }
 
-/// The surfaces a ray starts on: none for a camera ray, one for most others, more where several were met at equal `t`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Departure<'a>(pub &'a [Left]);
+/// How a ray starts.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Departure<'a> {
+    /// The surfaces it starts on, by identity: none for a camera ray, one for most others, more where several were met
+    /// at equal `t`.
+    pub left: &'a [Left],
+    /// Hits at `t` up to this do not count; nothing where all at `0 <= t` do.
+    pub epsilon: Option<f64>,
+}
 
 impl<'a> Departure<'a> {
     /// How a sphere or box is to be tested; nothing if not at all, since the ray left it outward and it is convex.
     #[inline(always)]
     pub fn from_convex(&self, object: ObjectId) -> Option<Start> {
-        match self.0.iter().find(|left| left.object == object) {
+        match self.left.iter().find(|left| left.object == object) {
             None => Some(Start::Anywhere),
             Some(left) if left.inward => Some(Start::OnSurfaceInward),
             Some(_) => None,
         }
     }
 
+    /// Whether a hit is too near to count.
+    #[inline(always)]
+    pub fn is_too_near(&self, t: f64) -> bool {
+        self.epsilon.is_some_and(|epsilon| t <= epsilon)
+    }
+
     /// Whether the ray left this object, which is flat or a mesh.
     #[inline(always)]
     pub fn left(&self, object: ObjectId) -> bool {
-        self.0.iter().any(|left| left.object == object)
+        self.left.iter().any(|left| left.object == object)
     }
 
     /// The triangles of this mesh that the ray left.
     pub fn triangles_of(self, mesh: ObjectId) -> impl Iterator<Item = u32> + use<'a> {
-        self.0.iter().filter(move |left| left.object == mesh).filter_map(|left| left.primitive)
+        self.left.iter().filter(move |left| left.object == mesh).filter_map(|left| left.primitive)
     }
 }

@@ -85,7 +85,7 @@ pub(super) fn object<R: Real, S: Sink<R>, P: Probe>(
         probe.saw(|| Test::Shape(ShapeTest { object: id, primitive: None, values: Values::new(), verdict }));
         return;
     };
-    let found = match geometry {
+    let test = |start| match geometry {
         Geometry::Sphere(sphere) => test_sphere(numerics, ray, sphere, start),
         Geometry::Plane(plane) => test_plane(numerics, ray, plane),
         Geometry::Box(aabb) => test_box(numerics, ray, aabb, start),
@@ -93,9 +93,17 @@ pub(super) fn object<R: Real, S: Sink<R>, P: Probe>(
             let filter = (numerics == Numerics::Certified).then(|| TriangleFilter::of_triangle(ray, triangle));
             test_triangle(numerics, ray, triangle, filter.as_ref(), None)
         }
-        Geometry::Mesh(_) => return,
+        // Tested triangle by triangle, by a `MeshTest`.
+        Geometry::Mesh(_) => Err(Miss::Parallel),
     };
-    let offered = offer(world, ray, id, None, t_in, found, sink);
+    let mut found = test(start);
+    if let Ok(Found { t, detail: Detail::Sphere { near: true, .. } | Detail::Box { near: true, .. }, .. }) = found
+        && departure.is_too_near(t)
+    {
+        // The near root lies within the epsilon: the far one may count.
+        found = test(Start::OnSurfaceInward);
+    }
+    let offered = offer(world, ray, departure, id, None, t_in, found, sink);
     probe.saw(|| {
         let values = values::of_object(numerics, ray, geometry);
         Test::Shape(ShapeTest { object: id, primitive: None, values, verdict: offered })
@@ -108,8 +116,9 @@ pub(super) struct MeshTest<'a, R: Real> {
     mesh: &'a MeshGeometry<R>,
     ray: &'a Ray<R>,
     id: ObjectId,
-    /// The triangles that the ray left, if it left this mesh.
-    departure: Option<Departure<'a>>,
+    departure: Departure<'a>,
+    /// Whether the ray left triangles of this mesh.
+    left: bool,
     filter: Option<TriangleFilter>,
 }
 
@@ -124,7 +133,7 @@ impl<'a, R: Real> MeshTest<'a, R> {
     ) -> Self {
         let filter =
             (world.numerics() == Numerics::Certified).then(|| TriangleFilter::new(ray, &mesh.aabb, mesh.longest_edge));
-        Self { world, mesh, ray, id, departure: departure.left(id).then_some(departure), filter }
+        Self { world, mesh, ray, id, departure, left: departure.left(id), filter }
     }
 
     /// Tests one triangle.
@@ -134,12 +143,12 @@ impl<'a, R: Real> MeshTest<'a, R> {
         let triangle = &self.mesh.triangles[primitive as usize];
         let found = test_triangle(numerics, self.ray, triangle, self.filter.as_ref(), Some(primitive));
         let mut verdict = None;
-        if let (Ok(_), Some(departure)) = (&found, self.departure) {
-            verdict = self.left_behind(departure, primitive, triangle);
+        if self.left && found.is_ok() {
+            verdict = self.left_behind(primitive, triangle);
         }
         let verdict = match verdict {
             Some(reason) => Verdict::Rejected { t: None, reason },
-            None => offer(self.world, self.ray, self.id, Some(primitive), t_in, found, sink),
+            None => offer(self.world, self.ray, self.departure, self.id, Some(primitive), t_in, found, sink),
         };
         probe.saw(|| {
             let values = values::of_triangle(numerics, self.ray, triangle);
@@ -149,8 +158,8 @@ impl<'a, R: Real> MeshTest<'a, R> {
 
     /// Whether the ray starts on this triangle or in its plane.
     #[cold]
-    fn left_behind(&self, departure: Departure<'_>, primitive: u32, triangle: &Triangle<R>) -> Option<Reason> {
-        for left in departure.triangles_of(self.id) {
+    fn left_behind(&self, primitive: u32, triangle: &Triangle<R>) -> Option<Reason> {
+        for left in self.departure.triangles_of(self.id) {
             if left == primitive {
                 return Some(Reason::Left);
             }
@@ -164,9 +173,11 @@ impl<'a, R: Real> MeshTest<'a, R> {
 
 /// Offers `sink` what a kernel found.
 #[inline(always)]
+#[allow(clippy::too_many_arguments, reason = "everything that is known of one test")]
 fn offer<R: Real, S: Sink<R>>(
     world: &World<R>,
     ray: &Ray<R>,
+    departure: Departure<'_>,
     object: ObjectId,
     primitive: Option<u32>,
     t_in: f64,
@@ -180,6 +191,9 @@ fn offer<R: Real, S: Sink<R>>(
     let Found { t, t_error, detail, .. } = found;
     if !t.is_finite() {
         return Verdict::Rejected { t: None, reason: Reason::NotFinite };
+    }
+    if departure.is_too_near(t) {
+        return Verdict::Rejected { t: Some(t), reason: Reason::WithinEpsilon };
     }
     // Without this, a hit that rounding put in front of its box would be found or pruned depending on the order of
     // visits.

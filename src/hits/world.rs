@@ -9,8 +9,8 @@ use super::slabs::{Bounds, SlabRay};
 use super::start::Departure;
 use super::{list, walk};
 use crate::kernels::{
-    Aabb, Plane, Ray, Root, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle, compare_t,
-    longest_edge, plane_facing, triangle_facing, triangle_normal,
+    Aabb, InvalidRay, Plane, Ray, Root, Sphere, Triangle, certify_box, certify_plane, certify_sphere, certify_triangle,
+    compare_t, longest_edge, plane_facing, triangle_facing, triangle_normal,
 };
 use crate::numbers::{Certificate, Precision, Real, Vector3, unit};
 use crate::scene::{Numerics, ObjectId, Scene, Shape};
@@ -166,12 +166,32 @@ impl<R: Real> World<R> {
         self.bounded[item as usize]
     }
 
-    /// The nearest hit of a ray that starts on the surfaces of `departure`.
+    /// The nearest hit of a ray, at `0 <= t` and `t < t_max`.
     ///
-    /// # None when
-    /// Nothing is hit at `0 <= t`, `t < t_max`; or the ray is not one: a component is infinite or NaN, or the direction
-    /// zero.
+    /// # Errors
+    /// [`InvalidRay`] for what is no ray; nothing is walked then.
     pub fn nearest<P: Probe>(
+        &self,
+        ray: &Ray<R>,
+        t_max: Limit,
+        departure: Departure<'_>,
+        probe: &mut P,
+    ) -> Result<Option<Hit<R>>, InvalidRay> {
+        ray.check()?;
+        Ok(self.nearest_of_valid(ray, t_max, departure, probe))
+    }
+
+    /// Whether anything is hit at all, as [`World::nearest`] has it.
+    ///
+    /// # Errors
+    /// [`InvalidRay`] for what is no ray; nothing is walked then.
+    pub fn is_hit(&self, ray: &Ray<R>, t_max: Limit, departure: Departure<'_>) -> Result<bool, InvalidRay> {
+        ray.check()?;
+        Ok(self.valid_is_hit(ray, t_max, departure))
+    }
+
+    /// [`World::nearest`] of a ray that was made here, and so is one.
+    pub(crate) fn nearest_of_valid<P: Probe>(
         &self,
         ray: &Ray<R>,
         t_max: Limit,
@@ -191,34 +211,31 @@ impl<R: Real> World<R> {
         Some(Hit { nearest, tied })
     }
 
-    /// Whether anything is hit at all, as [`World::nearest`] has it.
-    pub fn is_hit(&self, ray: &Ray<R>, t_max: Limit, departure: Departure<'_>) -> bool {
+    /// [`World::is_hit`] of a ray that was made here, and so is one.
+    pub(crate) fn valid_is_hit(&self, ray: &Ray<R>, t_max: Limit, departure: Departure<'_>) -> bool {
         let mut sink = Any::new(t_max);
         self.walk(ray, departure, &mut sink, &mut ());
         sink.found
     }
 
     /// All hits of one object at `0 <= t`, in no particular order.
-    pub fn all_hits(&self, ray: &Ray<R>, id: ObjectId) -> Vec<Candidate<R>> {
+    pub(crate) fn all_hits(&self, ray: &Ray<R>, id: ObjectId) -> Vec<Candidate<R>> {
+        debug_assert_eq!(ray.check(), Ok(()), "{ray:?}");
         let mut sink = All(Vec::new());
-        if is_ray(ray) {
-            let anywhere = Departure::default();
-            match self.geometry(id) {
-                Geometry::Mesh(mesh) => {
-                    let slabs = SlabRay::new(ray);
-                    walk::mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
-                }
-                _ => list::object(self, ray, id, anywhere, &mut sink, &mut ()),
+        let anywhere = Departure::default();
+        match self.geometry(id) {
+            Geometry::Mesh(mesh) => {
+                let slabs = SlabRay::new(ray);
+                walk::mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
             }
+            _ => list::object(self, ray, id, anywhere, &mut sink, &mut ()),
         }
         sink.0
     }
 
     #[inline(always)]
     fn walk<S: Sink<R>, P: Probe>(&self, ray: &Ray<R>, departure: Departure<'_>, sink: &mut S, probe: &mut P) {
-        if !is_ray(ray) {
-            return;
-        }
+        debug_assert_eq!(ray.check(), Ok(()), "{ray:?}");
         match self.acceleration {
             Acceleration::List => list::all(self, ray, departure, sink, probe),
             Acceleration::Bvh => walk::all(self, ray, departure, sink, probe),
@@ -242,31 +259,6 @@ impl<R: Real> World<R> {
             Geometry::Triangle(triangle) => triangle_normal(triangle),
             Geometry::Mesh(mesh) => triangle_normal(mesh.triangle(hit.primitive)),
         }
-    }
-
-    /// The point of a hit: `o + t d`; under certified numerics brought back onto the surface of a sphere or box, where
-    /// rounding has taken it off.
-    pub fn point(&self, ray: &Ray<R>, hit: &Candidate<R>) -> R::Vec3 {
-        let point = ray.at(R::from_f64(hit.t)).to_f64();
-        // Where f32 overflows (a plane seen almost edge-on), the last finite coordinate.
-        let largest = R::PRECISION.largest();
-        let mut point = point.map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) });
-        match self.geometry(hit.object) {
-            // Where the verdict itself may be wrong the point stays where its t has put it, so that one sees what that does.
-            _ if self.numerics != Numerics::Certified => {}
-            Geometry::Sphere(sphere) => point = onto_sphere(ray, sphere, hit, point),
-            Geometry::Box(aabb) => {
-                let face = hit.primitive.unwrap_or_default();
-                let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
-                for k in 0..3 {
-                    point[k] = point[k].clamp(min[k], max[k]);
-                }
-                let axis = face as usize / 2;
-                point[axis] = if face.is_multiple_of(2) { min[axis] } else { max[axis] };
-            }
-            Geometry::Plane(_) | Geometry::Triangle(_) | Geometry::Mesh(_) => {}
-        }
-        R::Vec3::from_f64(point)
     }
 
     /// How the verdict on a hit was reached: a function of the ray and the primitive alone.
@@ -342,36 +334,6 @@ impl<R: Real> World<R> {
             _ => false,
         }
     }
-}
-
-/// Whether this is a ray at all.
-#[inline(always)]
-fn is_ray<R: Real>(ray: &Ray<R>) -> bool {
-    // A sum of products with zero is zero for finite numbers and NaN for others.
-    let zero = R::Vec3::default();
-    ray.origin.dot(zero) + ray.direction.dot(zero) == R::ZERO && ray.direction != zero
-}
-
-/// The point of a sphere's hit, from the rounded `o + t d`, which may lie beside the surface.
-///
-/// Near it, the point is moved along the radius (pbrt, 3rd edition, section 3.9.4). From very far away, where `t` is
-/// known to no better than a radius, it is found from the line's foot `q` below the centre and half the chord: `c + q
-/// -+ h d / |d|`.
-fn onto_sphere<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, hit: &Candidate<R>, point: [f64; 3]) -> [f64; 3] {
-    let wide = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
-    let (center, radius) = (wide(sphere.center), sphere.radius.to_f64());
-    let mut out = glam::DVec3::from_array(point) - center;
-    let (f, d) = (wide(ray.origin) - center, wide(ray.direction));
-    // What rounding may have moved the point by, against a part of the radius.
-    if 8.0 * R::UNIT_ROUNDOFF.to_f64() * hit.t * d.length() > radius / 4096.0 {
-        let along = d / d.length();
-        let foot = along.cross(f.cross(along));
-        let half_chord = (radius * radius - foot.length_squared()).max(0.0).sqrt();
-        let near = matches!(hit.detail, Detail::Sphere { near: true, .. });
-        out = foot + along * if near { -half_chord } else { half_chord };
-    }
-    let length = out.length();
-    if length > 0.0 { (center + out * (radius / length)).to_array() } else { point }
 }
 
 fn geometry<R: Real>(shape: &Shape, growth: f64) -> Geometry<R> {

@@ -13,6 +13,7 @@ pub mod aabb;
 mod certified;
 mod facing;
 pub mod miss;
+pub mod offset;
 pub mod optics;
 pub mod order;
 pub mod plane;
@@ -27,14 +28,16 @@ pub use aabb::{
 pub use certified::Certified;
 pub use facing::{plane_facing, triangle_facing, triangle_normal};
 pub use miss::Miss;
+pub use offset::{gamma, offset_origin};
 pub use optics::{
-    certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refraction_cosines,
+    certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refract_usual,
+    refraction_cosines,
 };
 pub use order::{Root, compare_t, compare_t_with};
 pub use plane::{
     Plane, PlaneHit, PlaneValues, certify_plane, intersect_plane_certified, intersect_plane_lecture, plane_values,
 };
-pub use ray::{Ray, Start};
+pub use ray::{InvalidRay, Ray, Start};
 pub use sphere::{
     Sphere, SphereHit, SphereNaiveValues, SphereValues, certify_sphere, intersect_sphere_certified,
     intersect_sphere_exact, intersect_sphere_naive, intersect_sphere_stable, sphere_naive_values, sphere_values,

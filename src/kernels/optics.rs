@@ -244,6 +244,37 @@ pub fn transmitted_cosine_usual<R: Real>(eta: R, cos_incident: R) -> Option<R> {
     if k >= R::ZERO { Some(k.sqrt()) } else { None }
 }
 
+/// The transmitted direction as usually written, with the two cosines, or nothing at total reflection.
+///
+/// # Ranges
+///
+/// As [`refract`].
+///
+/// # Accuracy
+///
+/// That of [`transmitted_cosine_usual`], on a cosine that is rounded before it is squared. At equal indices most
+/// directions change in their last bits.
+///
+/// # Source
+///
+/// Snell's law as in the lecture: `eta d + (eta cos_i - cos_t) n`.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::optics::refract_usual;
+/// # use glam::dvec3;
+/// let (t, [_, cosine]) = refract_usual::<f64>(dvec3(0.6, -0.8, 0.0), dvec3(0.0, 1.0, 0.0), 1.0, 1.25).unwrap();
+/// assert!((cosine - 481f64.sqrt() / 25.0).abs() < 1e-15 && (t.x - 12.0 / 25.0).abs() < 1e-15);
+/// ```
+pub fn refract_usual<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> Option<(R::Vec3, [R; 2])> {
+    let (eta, length) = (incident / transmitted, d.dot(d).sqrt());
+    let cos_incident = (-d.dot(n) / length).larger(R::ZERO).smaller(R::ONE);
+    let cos_transmitted = transmitted_cosine_usual(eta, cos_incident)?;
+    let direction = d * eta + n * ((eta * cos_incident - cos_transmitted) * length);
+    Some((direction, [cos_incident, cos_transmitted]))
+}
+
 /// The transmitted cosine, or nothing exactly at total reflection for these two numbers.
 ///
 /// # Ranges

@@ -96,6 +96,10 @@ pub trait Real:
     fn to_f64(self) -> f64;
     /// The correctly rounded square root; NaN below zero.
     fn sqrt(self) -> Self;
+    /// The next larger number.
+    fn next_up(self) -> Self;
+    /// The next smaller number.
+    fn next_down(self) -> Self;
     /// The magnitude.
     fn abs(self) -> Self;
     /// Neither infinite nor NaN.
@@ -161,6 +165,14 @@ impl Real for f32 {
         self.sqrt()
     }
     #[inline(always)]
+    fn next_up(self) -> Self {
+        f32::next_up(self)
+    }
+    #[inline(always)]
+    fn next_down(self) -> Self {
+        f32::next_down(self)
+    }
+    #[inline(always)]
     fn abs(self) -> Self {
         self.abs()
     }
@@ -189,6 +201,14 @@ impl Real for f64 {
     #[inline(always)]
     fn sqrt(self) -> Self {
         self.sqrt()
+    }
+    #[inline(always)]
+    fn next_up(self) -> Self {
+        f64::next_up(self)
+    }
+    #[inline(always)]
+    fn next_down(self) -> Self {
+        f64::next_down(self)
     }
     #[inline(always)]
     fn abs(self) -> Self {

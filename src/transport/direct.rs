@@ -119,7 +119,7 @@ impl<R: Real> Tracer<'_, R> {
                 (R::Vec3::new(x / distance, y / distance, z / distance), Some(distance.to_f64()))
             }
         };
-        let ray = spawn(surface.point, direction);
+        let ray = spawn(surface.origin_towards(direction), direction);
         let cosine = vector::<R>(ray.direction).dot(vector::<R>(surface.shading_normal));
         (cosine >= 0.0).then_some(ShadowRay { light, ray, t_max, cosine })
     }
@@ -145,10 +145,10 @@ impl<R: Real> Tracer<'_, R> {
         let mut probe = Rec::Probe::default();
         // A tree tells the nearest blocker; a picture is content with any.
         let (lit, blocker) = if Rec::RECORDS {
-            let hit = self.world().nearest(ray, limit, leaving.departure(), &mut probe);
+            let hit = self.world().nearest_of_valid(ray, limit, leaving.departure(), &mut probe);
             (hit.is_none(), hit.map(|hit| Surface::new(self, ray, hit, path.inside)))
         } else {
-            (!self.world().is_hit(ray, limit, leaving.departure()), None)
+            (!self.world().valid_is_hit(ray, limit, leaving.departure()), None)
         };
         let visit = Visit {
             ior: Some(surface.ior[0].to_f64()),

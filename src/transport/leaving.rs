@@ -1,19 +1,52 @@
-//! How a ray leaves a surface: by identity. The origin is the hit point itself, and the surfaces it left are not hit
-//! again.
+//! How a ray leaves a surface. By default by identity: the origin is the hit point itself, and the surfaces it left are
+//! not hit again. The lecture's epsilon and the offset by an error bound stand beside it.
 
 use super::recorder::Secondary;
 use super::surface::Surface;
 use super::trace::Tracer;
 use crate::hits::{Candidate, Departure, Detail, Left};
-use crate::kernels::Ray;
-use crate::numbers::{Real, Vector3, flush_tiny};
+use crate::kernels::{Ray, offset_origin};
+use crate::numbers::{Real, Vector3, flush_tiny, power_of_two};
+use crate::scene::Numerics;
 
-/// The surfaces that a new ray starts on.
+/// What keeps a new ray from hitting the surface it starts on.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum LeavingPolicy {
+    /// The ray starts at the hit point, and hits at `t` up to this do not count: what most lectures teach. Too small
+    /// far from the origin, where surfaces shadow themselves; too large for contact shadows.
+    FixedEpsilon(f64),
+    /// The ray starts beside the hit point, as far off as rounding may have put that: what good renderers do. No
+    /// surface shadows itself; a gap below the bound is not seen.
+    ErrorBound,
+    /// The ray starts at the hit point and knows the surface it left: nothing shadows itself, at any scale, and no gap
+    /// is too small.
+    Provenance,
+}
+
+impl LeavingPolicy {
+    /// The lecture's epsilon.
+    pub const LECTURE_EPSILON: f64 = 1e-4;
+
+    /// The policy that goes with a set of kernels.
+    pub fn of(numerics: Numerics) -> Self {
+        match numerics {
+            Numerics::Lecture => Self::FixedEpsilon(Self::LECTURE_EPSILON),
+            Numerics::Robust => Self::ErrorBound,
+            Numerics::Certified => Self::Provenance,
+        }
+    }
+}
+
+/// How a new ray leaves.
 #[derive(Clone, Debug)]
 pub struct Leaving {
-    first: [Left; 1],
+    /// The surface it starts on; nothing where the policy does not go by identity.
+    first: Option<Left>,
     /// All of them, where there are several.
     several: Vec<Left>,
+    epsilon: Option<f64>,
 }
 
 impl Leaving {
@@ -28,6 +61,13 @@ impl Leaving {
         direction: R::Vec3,
         way: Secondary,
     ) -> Self {
+        let none = Self { first: None, several: Vec::new(), epsilon: None };
+        match tracer.leaving() {
+            LeavingPolicy::FixedEpsilon(epsilon) => return Self { epsilon: Some(epsilon), ..none },
+            // Strictly beyond the origin: a face at 0 has no rounding to be moved by.
+            LeavingPolicy::ErrorBound => return Self { epsilon: Some(0.0), ..none },
+            LeavingPolicy::Provenance => {}
+        }
         let nearest = &surface.hit.nearest;
         let left = |hit: &Candidate<R>| left(tracer, incident, hit, way);
         let first = left(nearest);
@@ -47,12 +87,13 @@ impl Leaving {
             };
             several.extend(surface.hit.tied.iter().filter(goes_along).map(left));
         }
-        Self { first: [first], several }
+        Self { first: Some(first), several, epsilon: None }
     }
 
     /// What a hit query asks for.
     pub fn departure(&self) -> Departure<'_> {
-        Departure(if self.several.is_empty() { &self.first } else { &self.several })
+        let left = if self.several.is_empty() { self.first.as_slice() } else { &self.several };
+        Departure { left, epsilon: self.epsilon }
     }
 }
 
@@ -67,9 +108,21 @@ fn left<R: Real>(tracer: &Tracer<'_, R>, incident: &Ray<R>, hit: &Candidate<R>, 
     Left { object: hit.object, primitive: hit.primitive, inward }
 }
 
-/// The ray from `origin` towards `direction`, components below 2^-126 stored as 0, so that exact arithmetic stays
-/// exact.
+impl<R: Real> Surface<R> {
+    /// Where a ray in this direction starts: at the hit point, or as far beside it as rounding may have put that.
+    pub fn origin_towards(&self, direction: R::Vec3) -> R::Vec3 {
+        match self.point_error {
+            None => self.point,
+            Some(error) => offset_origin::<R>(self.point, error, self.geometric_normal, direction),
+        }
+    }
+}
+
+/// The ray from `origin` towards `direction`, components below 2^-126 stored as 0 and those of the origin
+/// beyond 2^128 as 2^128, so that exact arithmetic stays exact.
 pub fn spawn<R: Real>(origin: R::Vec3, direction: R::Vec3) -> Ray<R> {
-    let flush = |v: R::Vec3| R::Vec3::from_f64(v.to_f64().map(flush_tiny));
-    Ray { origin: flush(origin), direction: flush(direction) }
+    let largest = R::PRECISION.largest().min(power_of_two(128));
+    let origin = origin.to_f64().map(|x| flush_tiny(x).clamp(-largest, largest));
+    let direction = direction.to_f64().map(flush_tiny);
+    Ray { origin: R::Vec3::from_f64(origin), direction: R::Vec3::from_f64(direction) }
 }

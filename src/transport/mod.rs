@@ -3,6 +3,7 @@
 //! `Tracer::trace` and `Tracer::shade`, in `trace.rs`, are the lecture's Trace and Shade; a [`Recorder`] folds every
 //! finished ray and its finished children into a node, or vanishes.
 
+mod bounce;
 mod direct;
 mod leaving;
 mod media;
@@ -11,8 +12,9 @@ mod secondary;
 mod surface;
 mod trace;
 
+pub use bounce::{Bounce, Flight};
 pub use direct::ShadowRay;
-pub use leaving::{Leaving, spawn};
+pub use leaving::{Leaving, LeavingPolicy, spawn};
 pub use media::Inside;
 pub use recorder::{Children, Kind, LightTerm, Local, Off, Outcome, Recorder, Secondary, Visit};
 pub use secondary::{Split, Way};

@@ -5,10 +5,10 @@ use super::recorder::{Children, Kind, Outcome, Recorder, Secondary, Visit};
 use super::surface::Surface;
 use super::trace::{Budget, Path, Tracer};
 use crate::kernels::Ray;
-use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract, refraction_cosines};
+use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract, refract_usual, refraction_cosines};
 use crate::numbers::{Real, Vector3};
 use crate::scene::effects::Effect;
-use crate::scene::{Fresnel, Material, Rgb};
+use crate::scene::{Fresnel, Material, Numerics, Rgb};
 
 /// How a surface splits the light that comes along a ray.
 #[derive(Clone, Debug)]
@@ -34,23 +34,27 @@ pub struct Way<R: Real> {
     pub weight: Rgb,
 }
 
+/// Light that passes a boundary.
+struct Refraction<R: Real> {
+    /// As long as the incident direction.
+    direction: R::Vec3,
+    /// Of incidence and transmission, in [0, 1]; nothing where nobody asks.
+    cosines: Option<[f64; 2]>,
+}
+
 impl<R: Real> Tracer<'_, R> {
     /// How the material at `surface` splits the light.
     pub fn split(&self, ray: &Ray<R>, surface: &Surface<R>) -> Split<R> {
         let material = self.scene().material_of(surface.hit.nearest.object);
         let (d, n) = (ray.direction, surface.shading_normal);
-        let [incident, transmitted] = surface.ior;
         let mut split = Split { reflected: None, refracted: None, fresnel: None, total_reflection: false };
         let mut reflection = material.reflection;
         if let Some(transmission) = material.transmission {
             self.begin(Effect::Refraction);
-            let direction = refract(d, n, incident, transmitted);
-            split.fresnel = reflectance(material, d, n, incident, transmitted);
-            if split.fresnel.is_some() {
-                self.begin(Effect::Fresnel);
-            }
-            match direction {
-                Some(direction) => {
+            let refraction = self.refraction(material.fresnel, d, n, surface.ior);
+            split.fresnel = self.reflectance(material, &refraction, surface.ior);
+            match refraction {
+                Some(Refraction { direction, .. }) => {
                     let through = split.fresnel.map_or(1.0, |r| 1.0 - r);
                     let weight = transmission * through;
                     split.refracted = Some(Way { kind: Secondary::Refracted, direction, weight });
@@ -69,8 +73,8 @@ impl<R: Real> Tracer<'_, R> {
         {
             // An opaque body under a clear coat: no medium begins here, but the coat's index (in `surface.ior`) splits
             // the light.
-            self.begin(Effect::Fresnel);
-            split.fresnel = reflectance(material, d, n, incident, transmitted);
+            let refraction = self.refraction(material.fresnel, d, n, surface.ior);
+            split.fresnel = self.reflectance(material, &refraction, surface.ior);
             reflection = Some(k * split.fresnel.unwrap_or(1.0));
         }
         if let Some(weight) = reflection {
@@ -78,6 +82,47 @@ impl<R: Real> Tracer<'_, R> {
             split.reflected = Some(Way { kind: Secondary::Reflected, direction: reflect::<R>(d, n), weight });
         }
         split
+    }
+
+    /// Where the light goes that passes a boundary, by the form that goes with the kernels.
+    fn refraction(
+        &self,
+        fresnel: Option<Fresnel>,
+        d: R::Vec3,
+        n: R::Vec3,
+        [incident, transmitted]: [R; 2],
+    ) -> Option<Refraction<R>> {
+        match self.world().numerics() {
+            Numerics::Lecture | Numerics::Robust => {
+                let (direction, cosines) = refract_usual(d, n, incident, transmitted)?;
+                Some(Refraction { direction, cosines: Some(cosines.map(Real::to_f64)) })
+            }
+            Numerics::Certified => {
+                let direction = refract(d, n, incident, transmitted)?;
+                // In f64 whatever the geometry's precision, as all that makes colours.
+                let [d, n] = [d, n].map(|v| glam::DVec3::from_array(v.to_f64()));
+                let cosines = || refraction_cosines::<f64>(d, n, incident.to_f64(), transmitted.to_f64());
+                Some(Refraction { direction, cosines: fresnel.and_then(|_| cosines()) })
+            }
+        }
+    }
+
+    /// The Fresnel reflectance, if the material asks for it; 1 at total reflection.
+    fn reflectance(&self, material: &Material, refraction: &Option<Refraction<R>>, ior: [R; 2]) -> Option<f64> {
+        let fresnel = material.fresnel?;
+        self.begin(Effect::Fresnel);
+        let [incident, transmitted] = ior.map(Real::to_f64);
+        if incident == transmitted {
+            // Nothing parts the two sides; Schlick's formula alone would still reflect at grazing angles.
+            return Some(0.0);
+        }
+        let Some([cos_incident, cos_transmitted]) = refraction.as_ref().and_then(|r| r.cosines) else {
+            return Some(1.0);
+        };
+        Some(match fresnel {
+            Fresnel::Exact => fresnel_exact(cos_incident, cos_transmitted, incident, transmitted),
+            Fresnel::Schlick => fresnel_schlick(cos_incident, cos_transmitted, incident, transmitted),
+        })
     }
 
     /// Whether a ray of this weight is too faint to be traced.
@@ -95,7 +140,7 @@ impl<R: Real> Tracer<'_, R> {
         budget: &mut Budget,
         recorder: &Rec,
     ) -> (Rgb, Rec::Node) {
-        let ray = spawn(surface.point, way.direction);
+        let ray = spawn(surface.origin_towards(way.direction), way.direction);
         let (kind, level, weight) = (Kind::Secondary(way.kind), path.level + 1, path.weight * way.weight);
         let limits = self.limits();
         let outcome = if path.level >= limits.max_depth {
@@ -120,23 +165,4 @@ impl<R: Real> Tracer<'_, R> {
         };
         (Rgb::ZERO, recorder.node(visit, Children::none()))
     }
-}
-
-/// The Fresnel reflectance that the material asks for; 1 at total reflection.
-fn reflectance<R: Real>(material: &Material, d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> Option<f64> {
-    let formula = match material.fresnel? {
-        Fresnel::Exact => fresnel_exact::<f64>,
-        Fresnel::Schlick => fresnel_schlick::<f64>,
-    };
-    if incident == transmitted {
-        // Nothing parts the two sides; Schlick's formula alone would still reflect at grazing angles.
-        return Some(0.0);
-    }
-    // In f64 whatever the geometry's precision, as all that makes colours.
-    let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
-    let (n_i, n_t) = (incident.to_f64(), transmitted.to_f64());
-    Some(match refraction_cosines::<f64>(vector(d), vector(n), n_i, n_t) {
-        Some([cos_incident, cos_transmitted]) => formula(cos_incident, cos_transmitted, n_i, n_t),
-        None => 1.0,
-    })
 }

@@ -1,5 +1,6 @@
 //! A hit made ready for shading.
 
+use super::leaving::LeavingPolicy;
 use super::media::Inside;
 use super::trace::Tracer;
 use crate::hits::{Detail, Hit};
@@ -26,6 +27,9 @@ pub struct Surface<R: Real> {
     pub hit: Hit<R>,
     /// Where, in world space.
     pub point: R::Vec3,
+    /// How far `point` may lie beside the true surface, component by component; nothing but where a ray leaves by
+    /// that.
+    pub point_error: Option<R::Vec3>,
     /// Unit, outward, never flipped.
     pub geometric_normal: R::Vec3,
     /// Unit, turned towards the ray; interpolated on smooth meshes.
@@ -42,7 +46,13 @@ impl<R: Real> Surface<R> {
     /// What `hit` is to a ray that comes from `inside`.
     pub fn new(tracer: &Tracer<'_, R>, ray: &Ray<R>, hit: Hit<R>, inside: &Inside) -> Self {
         let world = tracer.world();
-        let point = world.point(ray, &hit.nearest);
+        let (point, point_error) = match tracer.leaving() {
+            LeavingPolicy::ErrorBound => {
+                let (point, error) = world.point_and_error(ray, &hit.nearest);
+                (point, Some(error))
+            }
+            LeavingPolicy::FixedEpsilon(_) | LeavingPolicy::Provenance => (world.point(ray, &hit.nearest), None),
+        };
         let geometric_normal = world.geometric_normal(point, &hit.nearest);
         let shape = &tracer.scene().object(hit.nearest.object).shape;
         let smooth = smooth_normal::<R>(shape, &hit);
@@ -71,7 +81,7 @@ impl<R: Real> Surface<R> {
             None => turned(geometric_normal),
             Some(normal) => to_horizon::<R>(turned(normal), ray.direction),
         };
-        Self { hit, point, geometric_normal, shading_normal, side, ior, beyond }
+        Self { hit, point, point_error, geometric_normal, shading_normal, side, ior, beyond }
     }
 }
 

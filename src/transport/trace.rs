@@ -1,11 +1,11 @@
 //! The lecture's recursion: Trace and Shade.
 
-use super::leaving::spawn;
+use super::leaving::{LeavingPolicy, spawn};
 use super::media::Inside;
 use super::recorder::{Children, Kind, Off, Outcome, Recorder, Visit};
 use super::surface::Surface;
 use crate::hits::{Acceleration, Departure, Limit, World};
-use crate::kernels::Ray;
+use crate::kernels::{InvalidRay, Ray};
 use crate::numbers::{Real, Vector3};
 use crate::scene::effects::{Effect, EffectSet};
 use crate::scene::{Background, LightId, LightKind, Limits, Numerics, ObjectId, Rgb, Scene};
@@ -15,6 +15,8 @@ use crate::scene::{Background, LightId, LightKind, Limits, Numerics, ObjectId, R
 pub struct Options {
     /// The kernels.
     pub numerics: Numerics,
+    /// What keeps a ray from hitting the surface it starts on; nothing where that goes by the kernels.
+    pub leaving: Option<LeavingPolicy>,
     /// How candidates are found.
     pub acceleration: Acceleration,
     /// How the recursion ends.
@@ -26,6 +28,7 @@ impl Options {
     pub fn of(scene: &Scene) -> Self {
         Self {
             numerics: scene.numerics.unwrap_or_default(),
+            leaving: None,
             acceleration: Acceleration::default(),
             limits: scene.limits,
         }
@@ -48,6 +51,7 @@ pub enum Unfit {
 pub struct Tracer<'s, R: Real> {
     scene: &'s Scene,
     world: World<R>,
+    leaving: LeavingPolicy,
     limits: Limits,
     /// Index of refraction of each object's inside.
     iors: Vec<R>,
@@ -109,6 +113,7 @@ impl<'s, R: Real> Tracer<'s, R> {
         Ok(Self {
             scene,
             world: World::new(scene, options.numerics, options.acceleration),
+            leaving: options.leaving.unwrap_or(LeavingPolicy::of(options.numerics)),
             limits: Limits { max_depth: options.limits.max_depth.min(Limits::DEEPEST), ..options.limits },
             iors: scene.object_ids().map(ior).collect(),
             has_media: scene.object_ids().any(|id| scene.is_medium(id)),
@@ -139,6 +144,12 @@ impl<'s, R: Real> Tracer<'s, R> {
         &self.world
     }
 
+    /// What keeps a ray from hitting the surface it starts on.
+    #[inline(always)]
+    pub fn leaving(&self) -> LeavingPolicy {
+        self.leaving
+    }
+
     /// How the recursion ends.
     pub fn limits(&self) -> &Limits {
         &self.limits
@@ -165,7 +176,7 @@ impl<'s, R: Real> Tracer<'s, R> {
     pub fn pixel<Rec: Recorder>(&self, x: u32, y: u32, recorder: &Rec) -> (Rgb, Rec::Node) {
         let ray = self.scene.camera.ray(self.scene.image, x, y);
         let convert = |v: glam::DVec3| R::Vec3::from_f64(v.to_array());
-        self.ray(&spawn(convert(ray.origin), convert(ray.direction)), recorder)
+        self.camera_ray(&spawn(convert(ray.origin), convert(ray.direction)), recorder)
     }
 
     /// The colour of pixel `(x, y)`, nothing recorded.
@@ -173,8 +184,16 @@ impl<'s, R: Real> Tracer<'s, R> {
         self.pixel(x, y, &Off).0
     }
 
-    /// Traces a ray as if it came from the eye.
-    pub fn ray<Rec: Recorder>(&self, ray: &Ray<R>, recorder: &Rec) -> (Rgb, Rec::Node) {
+    /// Traces a ray as if it came from the eye: its linear RGB, and what the recorder makes of it.
+    ///
+    /// # Errors
+    /// [`InvalidRay`] for what is no ray, or out of the range of exact arithmetic.
+    pub fn ray<Rec: Recorder>(&self, ray: &Ray<R>, recorder: &Rec) -> Result<(Rgb, Rec::Node), InvalidRay> {
+        ray.check()?;
+        Ok(self.camera_ray(ray, recorder))
+    }
+
+    fn camera_ray<Rec: Recorder>(&self, ray: &Ray<R>, recorder: &Rec) -> (Rgb, Rec::Node) {
         let inside = if self.has_media { Inside::at_start(self.scene, &self.world, ray) } else { Inside::default() };
         let path = Path {
             kind: Kind::Camera,
@@ -197,7 +216,7 @@ impl<'s, R: Real> Tracer<'s, R> {
         recorder: &Rec,
     ) -> (Rgb, Rec::Node) {
         let mut probe = Rec::Probe::default();
-        match self.world.nearest(path.ray, Limit::None, path.departure, &mut probe) {
+        match self.world.nearest_of_valid(path.ray, Limit::None, path.departure, &mut probe) {
             Some(hit) => {
                 let surface = Surface::new(self, path.ray, hit, path.inside);
                 self.shade(path, &surface, budget, recorder, probe)

@@ -23,7 +23,7 @@ pub use text::Show;
 use crate::input::{name, present};
 use crate::numbers::{Certificate, Precision};
 use crate::scene::Numerics;
-pub use crate::transport::{Outcome, Side};
+pub use crate::transport::{LeavingPolicy, Outcome, Side};
 
 /// The format's name and version, the value of the key `format`.
 pub const FORMAT: &str = "raytree/1";
@@ -91,6 +91,9 @@ pub struct Settings {
     /// The set of kernels.
     #[serde(default, deserialize_with = "name", skip_serializing_if = "Option::is_none")]
     pub numerics: Option<Numerics>,
+    /// What keeps a ray from hitting the surface it starts on.
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub leaving: Option<LeavingPolicy>,
     /// The depth up to which children are traced.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
@@ -135,6 +138,9 @@ pub struct RayNode {
     /// How the verdict on the hit was reached: a function of the ray and the reported primitive alone.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub certificate: Option<Certificate>,
+    /// How it was decided whether the surface reflects totally; where there are two indices of refraction to decide by.
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub refraction_certificate: Option<Certificate>,
     /// What the surface itself sends back, after the shadow verdicts, before the weight.
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     pub local: Option<Local>,
@@ -257,6 +263,7 @@ impl RayNode {
             outcome,
             hit: None,
             certificate: None,
+            refraction_certificate: None,
             local: None,
             radiance: None,
             fresnel: None,

@@ -3,10 +3,10 @@
 use super::steps::TestRecord;
 use super::{Generator, HitRecord, Kind, LightTerms, Local, RayNode, RayTree, SceneRef, Settings};
 use crate::hits::{Detail, Probe, Tests};
-use crate::kernels::Ray;
-use crate::numbers::{Real, Vector3};
+use crate::kernels::{InvalidRay, Ray, certify_total_reflection};
+use crate::numbers::{Certificate, Real, Vector3};
 use crate::scene::{Loaded, Numerics};
-use crate::transport::{self, Children, Recorder, Secondary, Surface, Tracer, Visit};
+use crate::transport::{self, Children, Outcome, Recorder, Secondary, Surface, Tracer, Visit};
 
 /// What is kept of a ray besides the ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -37,12 +37,15 @@ pub fn record_pixel<R: Real>(tracer: &Tracer<'_, R>, origin: Origin<'_>, x: u32,
 }
 
 /// The tree of any ray, traced as if it came from the eye.
-pub fn record_ray<R: Real>(tracer: &Tracer<'_, R>, origin: Origin<'_>, ray: &Ray<R>) -> RayTree {
+///
+/// # Errors
+/// [`InvalidRay`] for what is no ray, or out of the range of exact arithmetic.
+pub fn record_ray<R: Real>(tracer: &Tracer<'_, R>, origin: Origin<'_>, ray: &Ray<R>) -> Result<RayTree, InvalidRay> {
     let (color, root) = match origin.keep {
         Keep::Outcomes => tracer.ray(ray, &Outcomes),
         Keep::Steps => tracer.ray(ray, &Steps),
-    };
-    tree(tracer, origin, None, color, *root)
+    }?;
+    Ok(tree(tracer, origin, None, color, *root))
 }
 
 fn tree<R: Real>(
@@ -58,6 +61,7 @@ fn tree<R: Real>(
     let settings = Settings {
         precision: Some(R::PRECISION),
         numerics: Some(tracer.world().numerics()),
+        leaving: Some(tracer.leaving()),
         max_depth: Some(limits.max_depth),
         min_weight: limits.min_weight,
         ray_budget: Some(limits.ray_budget),
@@ -110,6 +114,7 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         transport::Kind::Secondary(Secondary::Reflected) => (Kind::Reflected, None),
         transport::Kind::Secondary(Secondary::Refracted) => (Kind::Refracted, None),
     };
+    let refraction_certificate = refraction_certificate(&visit);
     let local = visit.local.map(|local| Local {
         ambient: local.ambient.to_array(),
         lights: local
@@ -138,6 +143,7 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         outcome: visit.outcome,
         hit: visit.surface.map(|surface| hit(visit.tracer, surface)),
         certificate,
+        refraction_certificate,
         local,
         radiance: visit.radiance.map(|r| r.to_array()),
         fresnel: visit.fresnel,
@@ -147,6 +153,17 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         refracted: children.refracted,
         tests: None,
     })
+}
+
+/// How total reflection was decided, where it was: at a shaded hit with two indices of refraction.
+fn refraction_certificate<R: Real, P: Probe>(visit: &Visit<'_, R, P>) -> Option<Certificate> {
+    let surface = visit.surface.filter(|_| visit.outcome == Outcome::Hit)?;
+    let material = visit.tracer.scene().material_of(surface.hit.nearest.object);
+    let [incident, transmitted] = surface.ior;
+    let is_asked = (material.transmission.is_some() || material.fresnel.is_some()) && incident != transmitted;
+    let is_certified = visit.tracer.world().numerics() == Numerics::Certified;
+    (is_asked && is_certified)
+        .then(|| certify_total_reflection::<R>(visit.ray.direction, surface.shading_normal, incident, transmitted))
 }
 
 fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {

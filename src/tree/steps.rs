@@ -171,6 +171,7 @@ fn words(reason: Reason) -> &'static str {
         Reason::BeyondLight => "not before the light",
         Reason::Left => "the ray starts on it",
         Reason::CoplanarWithLeft => "in the plane that the ray starts on",
+        Reason::WithinEpsilon => "within the epsilon where the ray starts",
         Reason::NotFinite => "t is not finite",
         Reason::BeforeItsBox => "in front of its box",
     }

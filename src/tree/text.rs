@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::steps::{TestRecord, Value, Verdict};
 use crate::input::printable;
-use crate::numbers::Stage;
+use crate::numbers::{Certificate, Stage};
 
 use super::{Kind, Outcome, RayNode, RayTree};
 
@@ -105,16 +105,23 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
         (None, Outcome::BelowMinWeight) => line.push_str("not traced: below min_weight"),
         (None, Outcome::RayBudget) => line.push_str("not traced: ray budget spent"),
     }
-    if let (true, Some(certificate)) = (show.certificates, &node.certificate) {
-        let stage = match certificate.stage {
-            Stage::Filter => "filter",
-            Stage::Integer => "integer",
-            Stage::DoubleDouble => "double-double",
-            Stage::Expansion => "expansion",
-        };
-        write!(line, "  [{stage}, margin {}]", number(certificate.margin)).ok();
+    if show.certificates {
+        for (what, certificate) in [("", &node.certificate), ("Snell: ", &node.refraction_certificate)] {
+            if let Some(Certificate { stage, margin }) = certificate {
+                write!(line, "  [{what}{}, margin {}]", stage_name(*stage), number(*margin)).ok();
+            }
+        }
     }
     line
+}
+
+fn stage_name(stage: Stage) -> &'static str {
+    match stage {
+        Stage::Filter => "filter",
+        Stage::Integer => "integer",
+        Stage::DoubleDouble => "double-double",
+        Stage::Expansion => "expansion",
+    }
 }
 
 /// The faces of a box, by primitive.

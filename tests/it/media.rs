@@ -147,8 +147,8 @@ fn first_hit_in_both(loaded: &Loaded, origin: [f32; 3], direction: [f32; 3]) -> 
     let vector = |v: [f32; 3]| v.map(f64::from);
     let narrow = Ray::<f32> { origin: origin.into(), direction: direction.into() };
     let wide = Ray::<f64> { origin: vector(origin).into(), direction: vector(direction).into() };
-    let narrow = record_ray(&tracer::<f32>(&loaded.scene), kept, &narrow);
-    let wide = record_ray(&tracer::<f64>(&loaded.scene), kept, &wide);
+    let narrow = record_ray(&tracer::<f32>(&loaded.scene), kept, &narrow).unwrap();
+    let wide = record_ray(&tracer::<f64>(&loaded.scene), kept, &wide).unwrap();
     [narrow, wide].map(|tree| (tree.root.hit.unwrap().ior.unwrap(), tree.rays))
 }
 

@@ -108,7 +108,7 @@ fn only_test(shape: &str, origin: [f64; 3], direction: [f64; 3]) -> TestRecord {
     let tracer = tracer::<f64>(&loaded.scene);
     let ray = Ray::<f64> { origin: origin.into(), direction: direction.into() };
     let origin = raytree::tree::Origin { loaded: &loaded, keep: Keep::Steps };
-    let tree = raytree::tree::record_ray(&tracer, origin, &ray);
+    let tree = raytree::tree::record_ray(&tracer, origin, &ray).unwrap();
     tree.root.tests.unwrap().last().unwrap().clone()
 }
 

@@ -71,7 +71,7 @@ pub(crate) fn tree<R: Real>(tracer: &Tracer<'_, R>, loaded: &Loaded, [x, y]: [u3
 pub(crate) fn ray_tree(loaded: &Loaded, origin: [f64; 3], direction: [f64; 3]) -> RayTree {
     let ray = raytree::kernels::Ray { origin: origin.into(), direction: direction.into() };
     let origin = Origin { loaded, keep: Keep::Outcomes };
-    raytree::tree::record_ray(&tracer::<f64>(&loaded.scene), origin, &ray)
+    raytree::tree::record_ray(&tracer::<f64>(&loaded.scene), origin, &ray).unwrap()
 }
 
 /// A grid of about `n` pixels over a scene's image.
