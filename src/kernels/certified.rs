@@ -17,5 +17,5 @@ pub struct Certified<H> {
 }
 
 /// The largest relative error of `t`, 2^-36, that a filter's `t` is taken with; where the bound on it is worse the
-/// stages after the filter give a `t` that is good to a few ulp.
+/// stages after the filter give a `t` that is good to a few ulp. The bound itself where no tighter one is worth its price.
 pub(crate) const FILTER_ACCURACY: f64 = 1.0 / (1u64 << 36) as f64;

@@ -20,10 +20,40 @@
 //!
 //! ```text
 //! with |l| <= |f||d| in all     6 u r^2 a + 12.5 u |f||d||l| + 19 u^2 |f|^2 |d|^2
-//! first test, |l| = |f||d|      8 u r^2 a + 26 u |f|^2 a                                  (needs no root)
+//! without a root, |l| = |f||d|  8 u r^2 a + 26 u |f|^2 a
 //! at a hit, |l| <= r|d|         8 u r^2 a + 16 u r a |f| + 64 u^2 |f|^2 a             (bounds the error of t)
 //! everywhere, the computed l    8 u r^2 a + 24 u |f||d||l| + (32 u)^2 |f|^2 a
 //! ```
+//!
+//! # The filter's miss, derived here
+//!
+//! Most tests are misses, and those need no `l`: `disc = b^2 - a c` is negative where `b^2 + r^2 a < |f|^2 a`. In units of
+//! `u |f|^2 a`, and if the left is less than the right, `b^2` is within 9 (8 from b, its own rounding), `r^2 a` within 5
+//! (`r^2`, 3 in `a`, the product), their sum within 1, `|f|^2 a` within 10 (5 in `f.f`, 3 in `a`, two products): 25 in all.
+//! The right is made less by 32.
+//!
+//! # The error of a filter's t, derived here
+//!
+//! `q = -b -+ sqrt(disc)`, its sign that of `-b`, sums two numbers of one sign; `sqrt(disc)` is off by disc's error over
+//! itself. It rounds (u), and so does the sum (u); then `t = q / a` divides by `a` (3 u), and `t = c / q` takes in the
+//! error of `c`; either quotient rounds (u), which leaves 2 u for the bound itself. With `E` the error of `disc` at a
+//! hit:
+//!
+//! ```text
+//! |t - exact t| / t <= 8 u |f||d| / |q| + E / (root |q|) + (error of c) / |c| + 8 u
+//! ```
+//!
+//! A *clear* hit spares the roots and quotients that this takes. It has `disc > 2^-10 r^2 a + 26 u |f|^2 a`, and is
+//! well outside or well inside, `|c| > 2^-12 (f.f + r^2)`, or else `t = q / a`, which has no `c` in it:
+//!
+//! - the error of `c` is at most `8 u / 2^-12 = 2^-38` of it;
+//! - well outside, `r < |f|`, and `b^2 = a c + disc` makes `|q| >= |b| > 2^-6.1 |f||d|`: the first term is below `2^-43`.
+//!   `E < 27 u r |f| a`, since `26 u |f|^2 a < disc <= r^2 a`, and `root > 2^-5 r|d|`: the second is below `27 * 2^11.1 u <
+//!   2^-37.1`;
+//! - elsewhere `|f| < 1.001 r`, and `|q| >= root > 2^-5 r|d|`: the first term is below `2^-44`, the second below `25 *
+//!   2^10 u < 2^-38`.
+//!
+//! In all at most `2^-37.1 + 2^-38 + 2^-43 + 8 u < 2^-36`, which is [`FILTER_ACCURACY`].
 //!
 //! # The double-double bounds
 //!
@@ -50,8 +80,9 @@ use crate::numbers::{Certificate, DoubleDouble, Expansion, Known, Real, Ring, St
 /// # Accuracy
 ///
 /// Verdict exact, tangents included. `t` as in [`Certified`]; `t_in` and `t_out` beside it are as good as the
-/// stable form in f64 makes them. `cargo bench --bench kernels` prints the cost against that form; most of it is
-/// for `t_error`. Grazing rays and origins on the surface, which the filter leaves open, cost many times as much.
+/// stable form in f64 makes them. `t_error` is `2^-36 t` unless the hit is a grazing one or the origin next to the
+/// surface. `cargo bench --bench kernels` prints the cost against the stable form; grazing rays and origins on the
+/// surface, which the filter leaves open, cost many times as much.
 ///
 /// # Source
 ///
@@ -80,18 +111,55 @@ pub fn intersect_sphere_certified<R: Real>(
     let d = vector(ray.direction);
     let f = vector(ray.origin) - vector(sphere.center);
     let r = sphere.radius.to_f64();
-    let l = f.cross(d);
-    let (a, f_dot_f, r_sq) = (d.dot(d), f.dot(f), r * r);
+    let (a, b, f_dot_f, r_sq) = (d.dot(d), f.dot(d), f.dot(f), r * r);
     let r_sq_a = r_sq * a;
-    let disc = r_sq_a - l.dot(l);
-    let f_sq_a = f_dot_f * a;
-    let bound = 8.0 * U * r_sq_a + 26.0 * U * f_sq_a;
-    if disc < -bound {
+    // |f|^2 a, less 32 u of it; the factor in front is the ray's.
+    let f_sq_a = a * (1.0 - 32.0 * U) * f_dot_f;
+    if b * b + r_sq_a < f_sq_a {
         return Err(Miss::NegativeDiscriminant);
     }
-    if disc > bound {
-        let b = f.dot(d);
+    // Only its square counts, and the compiler makes less of a detour of d x f than of f x d.
+    let l = d.cross(f);
+    let disc = r_sq_a - l.dot(l);
+    if disc > CLEAR_DISC * r_sq_a + 26.0 * U * f_sq_a {
         let c = f_dot_f - r_sq;
+        let clear_c = CLEAR_C * (f_dot_f + r_sq);
+        let (outside, inside) = (c > clear_c, c < -clear_c);
+        // Outside and with roots, b^2 >= a c: b is far from zero.
+        if outside && b > 0.0 {
+            return Err(Miss::Behind);
+        }
+        let near = outside && start == Start::Anywhere;
+        let far = inside || (start == Start::OnSurfaceInward && b < 0.0 && b * b > 64.0 * U * U * f_sq_a);
+        if near || far {
+            let root = disc.sqrt();
+            let q = if b < 0.0 { root - b } else { -b - root };
+            let (t0, t1) = (q / a, c / q);
+            let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
+            let t = if near { t_in } else { t_out };
+            let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
+            return Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t });
+        }
+    }
+    unclear(ray, sphere, start)
+}
+
+/// A clear hit has `disc` above this times `r^2 a`, beyond the bound on its error ...
+const CLEAR_DISC: f64 = 1.0 / 1024.0;
+
+/// ... and `|c|` above this times `f.f + r^2`, where it matters.
+const CLEAR_C: f64 = 1.0 / 4096.0;
+
+/// The hit where it is not clear: the filter again, as far as its bounds carry, and then the exact stages.
+#[cold]
+#[inline(never)]
+fn unclear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<Certified<SphereHit<R>>, Miss> {
+    let SphereTerms { a, b, c, disc } = SphereTerms::<f64>::new(ray, sphere);
+    let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
+    let (f, r) = (vector(ray.origin) - vector(sphere.center), sphere.radius.to_f64());
+    let (f_dot_f, r_sq) = (f.dot(f), r * r);
+    let f_sq_a = f_dot_f * a;
+    if disc > 8.0 * U * r_sq * a + 26.0 * U * f_sq_a {
         let c_bound = 8.0 * U * (f_dot_f + r_sq);
         let b_is_certain = b * b > 64.0 * U * U * f_sq_a;
         let (outside, inside) = (c > c_bound, c < -c_bound);
@@ -105,14 +173,12 @@ pub fn intersect_sphere_certified<R: Real>(
             let q = if b < 0.0 { root - b } else { -b - root };
             let (t0, t1) = (q / a, c / q);
             let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
-            // q sums two numbers of one sign; sqrt(disc) is off by disc's error over itself. It rounds (u), and so
-            // does the sum (u); then t0 divides by a (3 u), and t1 takes in the error of c; either quotient rounds
-            // (u), which leaves 2 u for this bound. For b < 0 the far root is t0.
-            let f_length = f_dot_f.sqrt();
-            let disc_error = 8.0 * U * r_sq_a + 16.0 * U * r * a * f_length + 64.0 * U * U * f_sq_a;
-            let q_error_times_root = 8.0 * U * f_length * a.sqrt() * root + disc_error;
-            let c_error = if near == (b < 0.0) { c_bound / c.abs() } else { 0.0 };
             let t = if near { t_in } else { t_out };
+            let f_length = f_dot_f.sqrt();
+            let disc_error = 8.0 * U * r_sq * a + 16.0 * U * r * a * f_length + 64.0 * U * U * f_sq_a;
+            let q_error_times_root = 8.0 * U * f_length * a.sqrt() * root + disc_error;
+            // For b < 0 the far root is t0.
+            let c_error = if near == (b < 0.0) { c_bound / c.abs() } else { 0.0 };
             let t_error = t * (q_error_times_root / (root * q.abs()) + c_error + 8.0 * U);
             if t_error <= FILTER_ACCURACY * t {
                 let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
@@ -120,7 +186,7 @@ pub fn intersect_sphere_certified<R: Real>(
             }
         }
     }
-    undecided(ray, sphere, start)
+    KnownTerms::new(ray, sphere).hit(start)
 }
 
 /// The hit of a ray and a sphere without any rounding in the verdict, by expansions alone: the filter's referee.
@@ -244,12 +310,6 @@ impl KnownTerms {
         let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
         Ok(Certified { hit, t, t_error })
     }
-}
-
-#[cold]
-#[inline(never)]
-fn undecided<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<Certified<SphereHit<R>>, Miss> {
-    KnownTerms::new(ray, sphere).hit(start)
 }
 
 /// How a *hit* of this ray and sphere was decided.
