@@ -125,12 +125,12 @@ pub fn intersect_sphere_certified<R: Real>(
         let c = f_dot_f - r_sq;
         let clear_c = CLEAR_C * (f_dot_f + r_sq);
         let (outside, inside) = (c > clear_c, c < -clear_c);
-        // Outside and with roots, b^2 >= a c: b is far from zero.
+        // Unless well inside, b^2 = disc + a c is more than 2^-12.1 |f|^2 a, and the sign of b is certain.
         if outside && b > 0.0 {
             return Err(Miss::Behind);
         }
         let near = outside && start == Start::Anywhere;
-        let far = inside || (start == Start::OnSurfaceInward && b < 0.0 && b * b > 64.0 * U * U * f_sq_a);
+        let far = inside || (start == Start::OnSurfaceInward && b < 0.0);
         if near || far {
             let root = disc.sqrt();
             let q = if b < 0.0 { root - b } else { -b - root };
