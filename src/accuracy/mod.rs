@@ -1,7 +1,13 @@
 //! Floor 7: what accuracy costs in time.
 //!
-//! Sets of rays and shapes ([`sets`]), the referee that knows the exact answers ([`referee`]).
+//! [`sets`] draw rays and shapes, easy ones and ones on the edge of a verdict; [`forms`] puts every subject's kernels side
+//! by side, [`referee`] knows the exact answers. [`verdicts`] counts who is right, [`timing`] how long it takes, [`maps`]
+//! draws where the verdict changes.
 
+pub mod forms;
+pub mod maps;
 pub mod random;
 pub mod referee;
 pub mod sets;
+pub mod timing;
+pub mod verdicts;

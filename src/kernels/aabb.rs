@@ -249,6 +249,15 @@ pub fn intersect_box_certified<R: Real>(
     aabb: &Aabb<R>,
     start: Start,
 ) -> Result<Certified<BoxHit<R>>, Miss> {
+    match filtered(ray, aabb, start) {
+        Some(verdict) => verdict,
+        None => undecided(ray, aabb, start),
+    }
+}
+
+/// What the filter says, if it can tell.
+#[inline(always)]
+fn filtered<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Option<Result<Certified<BoxHit<R>>, Miss>> {
     let (o, d) = (ray.origin.to_f64(), ray.direction.to_f64());
     let (lo, hi) = (aabb.min.to_f64(), aabb.max.to_f64());
     let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
@@ -257,7 +266,7 @@ pub fn intersect_box_certified<R: Real>(
     for k in 0..3 {
         if d[k] == 0.0 {
             if (o[k] < lo[k] || o[k] > hi[k]) && start == Start::Anywhere {
-                return Err(Miss::SlabsDisjoint);
+                return Some(Err(Miss::SlabsDisjoint));
             }
             continue;
         }
@@ -274,14 +283,14 @@ pub fn intersect_box_certified<R: Real>(
     if start == Start::Anywhere {
         let (gap, bound) = (t_out - t_in, GAP * (t_in.abs() + t_out.abs()));
         if gap < -bound {
-            return Err(Miss::SlabsDisjoint);
+            return Some(Err(Miss::SlabsDisjoint));
         }
         if !(gap > bound) {
-            return undecided(ray, aabb, start);
+            return None;
         }
     }
     if t_out < 0.0 {
-        return Err(Miss::Behind);
+        return Some(Err(Miss::Behind));
     }
     // The hit is at t >= 0 on one face, if no other comes within 2 * 2.01 u of it, relatively.
     let enters = t_in >= 0.0 && start == Start::Anywhere;
@@ -292,9 +301,9 @@ pub fn intersect_box_certified<R: Real>(
         far.map(|x| u8::from(x <= t + 10.0 * U * t))
     };
     if at_t[0] + at_t[1] + at_t[2] > 1 {
-        return undecided(ray, aabb, start);
+        return None;
     }
-    Ok(certified(ray, axis, enters, t_in, t_out))
+    Some(Ok(certified(ray, axis, enters, t_in, t_out)))
 }
 
 /// The face through which a ray of this direction enters or leaves the slab of an axis.
@@ -399,6 +408,22 @@ fn undecided<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Result<Cert
     }
     let enters = t_in >= 0.0 && start == Start::Anywhere;
     Ok(certified(ray, if enters { axis_in } else { axis_out }, enters, t_in, t_out))
+}
+
+/// Which stage decides this ray and box, hit or miss.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::*;
+/// # use raytree::numbers::Stage;
+/// # use glam::dvec3;
+/// let unit = Aabb::<f64> { min: dvec3(0.0, 0.0, 0.0), max: dvec3(1.0, 1.0, 1.0) };
+/// let corner = Ray::<f64> { origin: dvec3(-1.0, 0.0, 2.0), direction: dvec3(1.0, 1.0, -1.0) };
+/// assert_eq!(box_stage(&corner, &unit, Start::Anywhere), Stage::Integer);
+/// ```
+pub fn box_stage<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Stage {
+    if filtered(ray, aabb, start).is_some() { Stage::Filter } else { Slabs::new(ray, aabb).stage() }
 }
 
 /// How a *hit* of this ray and box was decided.

@@ -22,8 +22,8 @@ pub mod sphere;
 pub mod triangle;
 
 pub use aabb::{
-    Aabb, BoxHit, BoxValues, box_explicit_zero_values, box_lecture_values, certify_box, intersect_box_certified,
-    intersect_box_explicit_zero, intersect_box_lecture,
+    Aabb, BoxHit, BoxValues, box_explicit_zero_values, box_lecture_values, box_stage, certify_box,
+    intersect_box_certified, intersect_box_explicit_zero, intersect_box_lecture,
 };
 pub use certified::Certified;
 pub use facing::{plane_facing, triangle_facing, triangle_normal};
@@ -35,16 +35,18 @@ pub use optics::{
 };
 pub use order::{Root, compare_t, compare_t_with};
 pub use plane::{
-    Plane, PlaneHit, PlaneValues, certify_plane, intersect_plane_certified, intersect_plane_lecture, plane_values,
+    Plane, PlaneHit, PlaneValues, certify_plane, intersect_plane_certified, intersect_plane_lecture, plane_stage,
+    plane_values,
 };
 pub use ray::{InvalidRay, Ray, Start};
 pub use sphere::{
     Sphere, SphereHit, SphereNaiveValues, SphereValues, certify_sphere, intersect_sphere_certified,
-    intersect_sphere_exact, intersect_sphere_naive, intersect_sphere_stable, sphere_naive_values, sphere_values,
+    intersect_sphere_exact, intersect_sphere_naive, intersect_sphere_stable, sphere_naive_values, sphere_stage,
+    sphere_values,
 };
 pub use triangle::{
     Triangle, TriangleFilter, TriangleHit, TriangleLectureValues, TriangleValues, are_coplanar, certify_triangle,
     intersect_triangle_certified, intersect_triangle_exact, intersect_triangle_lecture,
     intersect_triangle_moller_trumbore, intersect_triangle_watertight, longest_edge, triangle_lecture_values,
-    triangle_moller_trumbore_values, triangle_watertight_values,
+    triangle_moller_trumbore_values, triangle_stage, triangle_watertight_values,
 };

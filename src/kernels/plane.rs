@@ -2,7 +2,7 @@
 
 use crate::kernels::certified::FILTER_ACCURACY;
 use crate::kernels::{Certified, Miss, Ray};
-use crate::numbers::{Certificate, DoubleDouble, Expansion, Known, Real, Ring, U, Vector3};
+use crate::numbers::{Certificate, DoubleDouble, Expansion, Known, Real, Ring, Stage, U, Vector3};
 
 /// All points `p` with `p . normal = distance`. The normal is unit up to rounding; the plane is what is stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -96,18 +96,27 @@ pub fn plane_values<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> PlaneValues<R> {
 /// ```
 #[inline(always)]
 pub fn intersect_plane_certified<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Result<Certified<PlaneHit<R>>, Miss> {
+    match filtered(ray, plane) {
+        Some(verdict) => verdict,
+        None => undecided(ray, plane),
+    }
+}
+
+/// What the filter says, if it can tell.
+#[inline(always)]
+fn filtered<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Option<Result<Certified<PlaneHit<R>>, Miss>> {
     let PlaneFilter { n_dot_d, n_dot_d_error, height, height_error } = PlaneFilter::new(ray, plane);
     if n_dot_d.abs() > n_dot_d_error && height.abs() > height_error {
         let t = height / n_dot_d;
         if t < 0.0 {
-            return Err(Miss::Behind);
+            return Some(Err(Miss::Behind));
         }
         let t_error = quotient_error(height_error, t, n_dot_d, n_dot_d_error);
         if t_error <= FILTER_ACCURACY * t {
-            return Ok(Certified { hit: PlaneHit { t: R::from_f64(t) }, t, t_error });
+            return Some(Ok(Certified { hit: PlaneHit { t: R::from_f64(t) }, t, t_error }));
         }
     }
-    undecided(ray, plane)
+    None
 }
 
 /// A bound on the error of `t = n / d` where `n` is within `n_error` and `d` within `d_error` of the true ones:
@@ -178,6 +187,26 @@ fn undecided<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Result<Certified<PlaneH
     Ok(Certified { hit: PlaneHit { t: R::from_f64(t) }, t, t_error })
 }
 
+/// Which stage decides this ray and plane, hit or miss: the dearest that either of the two signs calls for.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::*;
+/// # use raytree::numbers::Stage;
+/// # use glam::dvec3;
+/// let floor = Plane::<f64> { normal: dvec3(0.0, 1.0, 0.0), distance: 1.0 };
+/// let along = Ray::<f64> { origin: dvec3(0.0, 3.0, 0.0), direction: dvec3(1.0, 0.0, 0.0) };
+/// assert_eq!(plane_stage(&along, &floor), Stage::Expansion); // n . d is exactly 0
+/// ```
+pub fn plane_stage<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Stage {
+    if filtered(ray, plane).is_some() {
+        return Stage::Filter;
+    }
+    let (n_dot_d, height) = known_terms(ray, plane);
+    if n_dot_d.value == 0.0 { n_dot_d.stage } else { n_dot_d.stage.max(height.stage) }
+}
+
 /// How a *hit* of this ray and plane was decided.
 ///
 /// The margin is the smaller of `|n . d|` and `|D - n . o|` over their bounds.
@@ -200,7 +229,7 @@ pub fn certify_plane<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Certificate {
         |n_dot_d: f64, height: f64| ratio(n_dot_d, filter.n_dot_d_error).min(ratio(height, filter.height_error));
     let margin = margin_of(filter.n_dot_d, filter.height);
     if margin > 1.0 {
-        return Certificate { stage: crate::numbers::Stage::Filter, margin };
+        return Certificate { stage: Stage::Filter, margin };
     }
     let (n_dot_d, height) = known_terms(ray, plane);
     Certificate::after_filter(n_dot_d.stage.max(height.stage), margin_of(n_dot_d.value, height.value))

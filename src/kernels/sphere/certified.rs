@@ -107,6 +107,15 @@ pub fn intersect_sphere_certified<R: Real>(
     sphere: &Sphere<R>,
     start: Start,
 ) -> Result<Certified<SphereHit<R>>, Miss> {
+    match clear(ray, sphere, start) {
+        Some(verdict) => verdict,
+        None => unclear(ray, sphere, start),
+    }
+}
+
+/// Misses and hits that are clear at first sight.
+#[inline(always)]
+fn clear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Result<Certified<SphereHit<R>>, Miss>> {
     let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
     let d = vector(ray.direction);
     let f = vector(ray.origin) - vector(sphere.center);
@@ -116,7 +125,7 @@ pub fn intersect_sphere_certified<R: Real>(
     // |f|^2 a, less 32 u of it; the factor in front is the ray's.
     let f_sq_a = a * (1.0 - 32.0 * U) * f_dot_f;
     if b * b + r_sq_a < f_sq_a {
-        return Err(Miss::NegativeDiscriminant);
+        return Some(Err(Miss::NegativeDiscriminant));
     }
     // Only its square counts, and the compiler makes less of a detour of d x f than of f x d.
     let l = d.cross(f);
@@ -127,7 +136,7 @@ pub fn intersect_sphere_certified<R: Real>(
         let (outside, inside) = (c > clear_c, c < -clear_c);
         // Unless well inside, b^2 = disc + a c is more than 2^-12.1 |f|^2 a, and the sign of b is certain.
         if outside && b > 0.0 {
-            return Err(Miss::Behind);
+            return Some(Err(Miss::Behind));
         }
         let near = outside && start == Start::Anywhere;
         let far = inside || (start == Start::OnSurfaceInward && b < 0.0);
@@ -138,10 +147,10 @@ pub fn intersect_sphere_certified<R: Real>(
             let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
             let t = if near { t_in } else { t_out };
             let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
-            return Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t });
+            return Some(Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t }));
         }
     }
-    unclear(ray, sphere, start)
+    None
 }
 
 /// A clear hit has `disc` above this times `r^2 a`, beyond the bound on its error ...
@@ -150,10 +159,15 @@ const CLEAR_DISC: f64 = 1.0 / 1024.0;
 /// ... and `|c|` above this times `f.f + r^2`, where it matters.
 const CLEAR_C: f64 = 1.0 / 4096.0;
 
-/// The hit where it is not clear: the filter again, as far as its bounds carry, and then the exact stages.
+/// The hit where it is not clear: the filter as far as its bounds carry, and then the exact stages.
 #[cold]
 #[inline(never)]
 fn unclear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<Certified<SphereHit<R>>, Miss> {
+    filtered(ray, sphere, start).unwrap_or_else(|| KnownTerms::new(ray, sphere).hit(start))
+}
+
+/// What the filter says, if it can tell.
+fn filtered<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Result<Certified<SphereHit<R>>, Miss>> {
     let SphereTerms { a, b, c, disc } = SphereTerms::<f64>::new(ray, sphere);
     let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
     let (f, r) = (vector(ray.origin) - vector(sphere.center), sphere.radius.to_f64());
@@ -164,7 +178,7 @@ fn unclear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<Ce
         let b_is_certain = b * b > 64.0 * U * U * f_sq_a;
         let (outside, inside) = (c > c_bound, c < -c_bound);
         if outside && b_is_certain && b > 0.0 {
-            return Err(Miss::Behind);
+            return Some(Err(Miss::Behind));
         }
         let near = outside && b_is_certain && start == Start::Anywhere;
         let far = inside || (start == Start::OnSurfaceInward && b_is_certain && b < 0.0);
@@ -182,11 +196,11 @@ fn unclear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Result<Ce
             let t_error = t * (q_error_times_root / (root * q.abs()) + c_error + 8.0 * U);
             if t_error <= FILTER_ACCURACY * t {
                 let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
-                return Ok(Certified { hit, t, t_error });
+                return Some(Ok(Certified { hit, t, t_error }));
             }
         }
     }
-    KnownTerms::new(ray, sphere).hit(start)
+    None
 }
 
 /// The hit of a ray and a sphere without any rounding in the verdict, by expansions alone: the filter's referee.
@@ -310,6 +324,34 @@ impl KnownTerms {
         let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
         Ok(Certified { hit, t, t_error })
     }
+}
+
+/// Which stage decides this ray and sphere, hit or miss: the dearest that any sign on the way to the verdict calls for.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::*;
+/// # use raytree::numbers::Stage;
+/// # use glam::dvec3;
+/// let sphere = Sphere::<f64> { center: dvec3(0.0, 0.0, 0.0), radius: 1.0 };
+/// let stage = |y| {
+///     let ray = Ray::<f64> { origin: dvec3(-5.0, y, 0.0), direction: dvec3(1.0, 0.0, 0.0) };
+///     sphere_stage(&ray, &sphere, Start::Anywhere)
+/// };
+/// assert_eq!([0.5, 1.0, 1.5].map(stage), [Stage::Filter, Stage::Expansion, Stage::Filter]);
+/// ```
+pub fn sphere_stage<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Stage {
+    if clear(ray, sphere, start).is_some() || filtered(ray, sphere, start).is_some() {
+        return Stage::Filter;
+    }
+    let KnownTerms { b, c, disc, .. } = KnownTerms::new(ray, sphere);
+    if disc.value < 0.0 {
+        return disc.stage;
+    }
+    // Inside, or on the surface and going in, b says nothing.
+    let b_matters = if start == Start::Anywhere { c.value >= 0.0 } else { c.value > 0.0 };
+    disc.stage.max(c.stage).max(if b_matters { b.stage } else { Stage::Filter })
 }
 
 /// How a *hit* of this ray and sphere was decided.

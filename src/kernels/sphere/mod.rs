@@ -6,7 +6,7 @@
 mod certified;
 
 pub(crate) use certified::{SphereBounds, SphereTerms};
-pub use certified::{certify_sphere, intersect_sphere_certified, intersect_sphere_exact};
+pub use certified::{certify_sphere, intersect_sphere_certified, intersect_sphere_exact, sphere_stage};
 
 use crate::kernels::{Miss, Ray, Start};
 use crate::numbers::{Real, Vector3};

@@ -36,6 +36,8 @@
 //! ([`determinant`](crate::numbers::determinant)). `8 u E = 384 u^2 D L M` (and so on) is more than twice that.
 //! Here `W = det(d, v2 - v1, v1 - o)`, one determinant (rows of D, L, M) instead of three.
 
+use std::cell::Cell;
+
 use crate::kernels::certified::FILTER_ACCURACY;
 use crate::kernels::{Aabb, Certified, Miss, Ray, Triangle, TriangleHit};
 use crate::numbers::integers::{self, Row};
@@ -142,6 +144,19 @@ pub fn intersect_triangle_certified<R: Real>(
     triangle: &Triangle<R>,
     filter: &TriangleFilter,
 ) -> Result<Certified<TriangleHit<R>>, Miss> {
+    match filtered(ray, triangle, filter) {
+        Some(verdict) => verdict,
+        None => undecided(ray, triangle),
+    }
+}
+
+/// What the filter says, if it can tell.
+#[inline(always)]
+fn filtered<R: Real>(
+    ray: &Ray<R>,
+    triangle: &Triangle<R>,
+    filter: &TriangleFilter,
+) -> Option<Result<Certified<TriangleHit<R>>, Miss>> {
     let (o, d) = (wide::<R>(ray.origin), wide::<R>(ray.direction));
     let [v0, v1, v2] = triangle.vertices.map(wide::<R>);
     let (e1, e2) = (v1 - v0, v2 - v0);
@@ -149,31 +164,31 @@ pub fn intersect_triangle_certified<R: Real>(
     let signed_det = e1.dot(p);
     let det = signed_det.abs();
     if !(det > filter.det) {
-        return undecided(ray, triangle);
+        return None;
     }
     let s = o - v0;
     let q = s.cross(e1);
     let u = fold(s.dot(p), signed_det);
     if u < -filter.uv {
-        return Err(Miss::BIsNegative);
+        return Some(Err(Miss::BIsNegative));
     }
     // V + W = det - U is negative: the point lies beyond v1, and one of the two is to blame. With U this large, V >=
     // -E leaves W <= -2 E_W + E + its error < 0. A caller who drops the reason never computes V here.
     if u - det > 2.0 * filter.w {
         let v = fold(d.dot(q), signed_det);
-        return Err(if v < -filter.uv { Miss::SumExceedsOne } else { Miss::AIsNegative });
+        return Some(Err(if v < -filter.uv { Miss::SumExceedsOne } else { Miss::AIsNegative }));
     }
     let v = fold(d.dot(q), signed_det);
     if v < -filter.uv {
-        return Err(Miss::SumExceedsOne);
+        return Some(Err(Miss::SumExceedsOne));
     }
     let w = det - u - v;
     if w < -filter.w {
-        return Err(Miss::AIsNegative);
+        return Some(Err(Miss::AIsNegative));
     }
     let t_scaled = fold(e2.dot(q), signed_det);
     if t_scaled < -filter.t {
-        return Err(Miss::Behind);
+        return Some(Err(Miss::Behind));
     }
     if u > filter.uv && v > filter.uv && w > filter.w && t_scaled > filter.t {
         // t = T / det, T = T' + tau, det = det' + delta: T'/det' - T/det = (T'/det' delta - tau) / det, |tau| <= E_T,
@@ -184,10 +199,10 @@ pub fn intersect_triangle_certified<R: Real>(
         if t_error <= FILTER_ACCURACY * t {
             let inv_det = 1.0 / det;
             let barycentrics = [w, u, v].map(|x| R::from_f64(x * inv_det));
-            return Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error });
+            return Some(Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error }));
         }
     }
-    undecided(ray, triangle)
+    None
 }
 
 #[inline(always)]
@@ -283,6 +298,51 @@ fn undecided<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>) -> Result<Certified<
     match IntegerRows::new(ray, triangle) {
         Some(rows) => decide(&rows),
         None => decide(&SlowStages::new(ray, triangle)),
+    }
+}
+
+/// Which stage decides this ray and triangle, hit or miss: the dearest that any sign on the way to the verdict calls
+/// for.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::*;
+/// # use raytree::numbers::Stage;
+/// # use glam::dvec3;
+/// let triangle = Triangle::<f64> { vertices: [dvec3(0.0, 0.0, 0.0), dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0)] };
+/// let stage = |x, y| {
+///     let ray = Ray::<f64> { origin: dvec3(x, y, 2.0), direction: dvec3(0.0, 0.0, -1.0) };
+///     triangle_stage(&ray, &triangle, &TriangleFilter::of_triangle(&ray, &triangle))
+/// };
+/// assert_eq!((stage(0.25, 0.25), stage(0.5, 0.5)), (Stage::Filter, Stage::Integer));
+/// ```
+pub fn triangle_stage<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>, filter: &TriangleFilter) -> Stage {
+    if filtered(ray, triangle, filter).is_some() {
+        return Stage::Filter;
+    }
+    if IntegerRows::new(ray, triangle).is_some() {
+        return Stage::Integer;
+    }
+    let stages = Witness { determinants: SlowStages::new(ray, triangle), dearest: Cell::new(Stage::DoubleDouble) };
+    let _: Result<Certified<TriangleHit<R>>, Miss> = decide(&stages);
+    stages.dearest.get()
+}
+
+/// Notes the dearest stage that a sign has called for.
+struct Witness<D> {
+    determinants: D,
+    dearest: Cell<Stage>,
+}
+
+impl<D: Determinants> Determinants for Witness<D> {
+    fn decided(&self, quantity: Quantity) -> Known {
+        let known = self.determinants.decided(quantity);
+        self.dearest.set(self.dearest.get().max(known.stage));
+        known
+    }
+    fn measured(&self, quantity: Quantity) -> Known {
+        self.determinants.measured(quantity)
     }
 }
 

@@ -16,7 +16,7 @@ mod certified;
 
 pub use certified::{
     TriangleFilter, are_coplanar, certify_triangle, intersect_triangle_certified, intersect_triangle_exact,
-    longest_edge,
+    longest_edge, triangle_stage,
 };
 pub(crate) use certified::{triangle_terms, triangle_terms_f64};
 
