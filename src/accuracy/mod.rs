@@ -2,9 +2,12 @@
 //!
 //! [`sets`] draw rays and shapes, easy ones and ones on the edge of a verdict; [`forms`] puts every subject's kernels side
 //! by side, [`referee`] knows the exact answers. [`verdicts`] counts who is right, [`timing`] how long it takes, [`maps`]
-//! draws where the verdict changes.
+//! draws where the verdict changes. [`images`] holds a scene's picture against the reference, [`departures`] looks at how its rays
+//! leave surfaces.
 
+pub mod departures;
 pub mod forms;
+pub mod images;
 pub mod maps;
 pub mod random;
 pub mod referee;
