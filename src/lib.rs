@@ -32,7 +32,7 @@ pub mod transport;
 
 pub mod tree;
 
-#[cfg(feature = "pictures")]
+#[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;
 
 #[cfg(feature = "accuracy")]

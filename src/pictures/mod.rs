@@ -1,5 +1,14 @@
 //! Floor 6: pictures. Knows nothing of commands.
 
+#[cfg(feature = "pictures")]
 mod film;
 
+#[cfg(feature = "drawing")]
+pub mod charts;
+#[cfg(feature = "drawing")]
+pub mod drawing;
+#[cfg(feature = "drawing")]
+pub mod theme;
+
+#[cfg(feature = "pictures")]
 pub use film::{Film, Format, render};

@@ -3,6 +3,7 @@
 mod bad_input;
 mod bits;
 mod commands;
+mod drawing;
 mod effects;
 mod fuzz;
 mod kernels;

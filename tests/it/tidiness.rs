@@ -67,13 +67,15 @@ fn every_file_imports_from_its_own_floor_or_below() {
 }
 
 #[test]
-fn only_the_film_names_image_and_only_commands_print() {
+fn only_the_film_names_image_only_the_canvas_tiny_skia_and_only_commands_print() {
     for (path, source) in sources("src") {
         let in_commands = path.starts_with("src/commands") || path.ends_with("main.rs");
         let code = || source.lines().filter(|line| !line.trim_start().starts_with("//"));
         for line in code() {
             let names_image = ["use image", "image::"].iter().any(|word| line.trim_start().starts_with(word));
             assert!(!names_image || path.ends_with("film.rs"), "{path:?}: {line}");
+            let names_skia = line.contains("tiny_skia");
+            assert!(!names_skia || path.ends_with("drawing/canvas.rs"), "{path:?}: {line}");
             let prints = ["print!", "println!", "eprint!", "eprintln!", "dbg!"].iter().any(|word| line.contains(word));
             assert!(!prints, "{path:?}: {line}");
             let streams = ["stdout()", "stderr()", "stdin()"].iter().any(|word| line.contains(word));
@@ -152,6 +154,9 @@ fn the_core_needs_no_threads_no_servers_and_no_c() {
         "ctrlc",
         "tempfile",
         "indicatif",
+        "tiny-skia",
+        "ttf-parser",
+        "ratex-layout",
     ] {
         assert!(!crates.contains(name), "the core depends on {name}");
     }

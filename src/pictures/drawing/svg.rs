@@ -1,0 +1,227 @@
+//! A drawing as an SVG file: compact numbers, each glyph once, the same bytes everywhere.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use glam::DVec2;
+
+use super::fonts::GlyphRef;
+use super::item::{Item, Raster, Sampling};
+use super::path::{Path, Segment};
+use super::pen::Color;
+use super::text::Placed;
+use super::{Drawing, canvas};
+
+/// The SVG file.
+pub(super) fn write(drawing: &Drawing) -> String {
+    let mut body = Body::default();
+    body.items(&drawing.items, 1);
+    let (width, height) = (number(drawing.size.x), number(drawing.size.y));
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n",
+        escape(&drawing.title)
+    );
+    if !drawing.description.is_empty() {
+        let _ = writeln!(svg, "<desc>{}</desc>", escape(&drawing.description));
+    }
+    if !body.definitions.is_empty() {
+        svg.push_str("<defs>\n");
+        body.definitions.iter().for_each(|(id, what)| svg.push_str(&what.replacen("ID", id, 1)));
+        svg.push_str("</defs>\n");
+    }
+    let _ = writeln!(svg, "<rect width=\"{width}\" height=\"{height}\"{}/>", fill(drawing.background));
+    svg.push_str(&body.text);
+    svg.push_str("</svg>\n");
+    svg
+}
+
+#[derive(Default)]
+struct Body {
+    text: String,
+    /// Glyphs and clips by their names, with `ID` where the name belongs.
+    definitions: BTreeMap<String, String>,
+}
+
+impl Body {
+    fn items(&mut self, items: &[Item], depth: usize) {
+        for item in items {
+            self.text.push_str(&" ".repeat(depth - 1));
+            match item {
+                Item::Fill { path, color } => {
+                    let _ = writeln!(self.text, "<path d=\"{}\"{}/>", data(path), fill(*color));
+                }
+                Item::Stroke { path, pen } => {
+                    let dash = pen.dash.pattern().iter().map(|length| number(length * pen.width)).collect::<Vec<_>>();
+                    let dash = match dash.as_slice() {
+                        [] => String::new(),
+                        lengths => format!(" stroke-dasharray=\"{}\"", lengths.join(" ")),
+                    };
+                    let _ = writeln!(
+                        self.text,
+                        "<path d=\"{}\" fill=\"none\"{} stroke-width=\"{}\" stroke-linecap=\"round\" \
+                         stroke-linejoin=\"round\"{dash}/>",
+                        data(path),
+                        color_of("stroke", pen.color),
+                        number(pen.width)
+                    );
+                }
+                Item::Glyphs { glyphs, origin, along, color, text } => {
+                    let _ = write!(self.text, "<g aria-label=\"{}\"{}>", escape(text), fill(*color));
+                    for same in glyphs.chunk_by(|a, b| a.size == b.size && a.glyph.face == b.glyph.face) {
+                        self.glyphs(same, *origin, *along);
+                    }
+                    self.text.push_str("</g>\n");
+                }
+                Item::Image { raster, rect, sampling } => self.image(raster, rect.min, rect.size(), *sampling),
+                Item::Group { clip, offset, scale, items } => {
+                    if let Some(clip) = clip {
+                        let id = self.define_clip(&data(clip));
+                        let _ = write!(self.text, "<g clip-path=\"url(#{id})\">");
+                    }
+                    let moves = *offset != DVec2::ZERO || *scale != 1.0;
+                    if moves {
+                        let (x, y, k) = (number(offset.x), number(offset.y), precise(*scale));
+                        let _ = write!(self.text, "<g transform=\"translate({x} {y})scale({k})\">");
+                    }
+                    self.text.push('\n');
+                    self.items(items, depth + 1);
+                    self.text.push_str(&" ".repeat(depth - 1));
+                    self.text.push_str(if moves { "</g>" } else { "" });
+                    self.text.push_str(if clip.is_some() { "</g>\n" } else { "\n" });
+                }
+            }
+        }
+    }
+
+    /// Glyphs of one face and size: a group in their design units, each at its place along the line.
+    fn glyphs(&mut self, glyphs: &[Placed], origin: DVec2, along: DVec2) {
+        let k = glyphs[0].size / glyphs[0].glyph.face.units_per_em();
+        let (x, y) = (along * k, along.perp() * -k);
+        let transform = if along == DVec2::X {
+            format!("translate({} {})scale({} {})", number(origin.x), number(origin.y), precise(k), precise(-k))
+        } else {
+            let [a, b, c, d] = [x.x, x.y, y.x, y.y].map(precise);
+            format!("matrix({a} {b} {c} {d} {} {})", number(origin.x), number(origin.y))
+        };
+        let _ = write!(self.text, "<g transform=\"{transform}\">");
+        for Placed { glyph, at, .. } in glyphs {
+            let id = self.define_glyph(*glyph);
+            let at = *at / k;
+            let attribute = |name: &str, x: f64| match number(x).as_str() {
+                "0" => String::new(),
+                x => format!(" {name}=\"{x}\""),
+            };
+            let _ = write!(self.text, "<use href=\"#{id}\"{}{}/>", attribute("x", at.x), attribute("y", -at.y));
+        }
+        self.text.push_str("</g>");
+    }
+
+    fn define_glyph(&mut self, glyph: GlyphRef) -> String {
+        let id = format!("{}{}", glyph.face.prefix(), glyph.id);
+        let outline = || format!("<path id=\"ID\" d=\"{}\"/>\n", data(&glyph.outline()));
+        self.definitions.entry(id.clone()).or_insert_with(outline);
+        id
+    }
+
+    /// A clip is named for what it is, so that two drawings in one page cannot mean different things by one name.
+    fn define_clip(&mut self, data: &str) -> String {
+        let id = format!("clip-{:016x}", fnv1a(data.as_bytes()));
+        let clip = || format!("<clipPath id=\"ID\"><path d=\"{data}\"/></clipPath>\n");
+        self.definitions.entry(id.clone()).or_insert_with(clip);
+        id
+    }
+
+    fn image(&mut self, raster: &Raster, at: DVec2, size: DVec2, sampling: Sampling) {
+        let Some(png) = canvas::png_of(raster) else { return };
+        let rendering = match sampling {
+            Sampling::Nearest => " style=\"image-rendering:pixelated\"",
+            Sampling::Smooth => "",
+        };
+        let [x, y, width, height] = [at.x, at.y, size.x, size.y].map(number);
+        let _ = writeln!(
+            self.text,
+            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" preserveAspectRatio=\"none\"{rendering} \
+             href=\"data:image/png;base64,{}\"/>",
+            base64(&png)
+        );
+    }
+}
+
+/// A number to a hundredth, without superfluous characters.
+fn number(x: f64) -> String {
+    decimal((x * 100.0).round() as i64, 2)
+}
+
+/// A number to a millionth: for factors.
+fn precise(x: f64) -> String {
+    decimal((x * 1e6).round() as i64, 6)
+}
+
+/// `units` of the given decimal place.
+fn decimal(units: i64, places: usize) -> String {
+    let digits = format!("{:0>width$}", units.unsigned_abs(), width = places + 1);
+    let (whole, rest) = digits.split_at(digits.len() - places);
+    let (sign, rest) = (if units < 0 { "-" } else { "" }, rest.trim_end_matches('0'));
+    match (whole, rest) {
+        (whole, "") => format!("{sign}{whole}"),
+        ("0", rest) => format!("{sign}.{rest}"),
+        (whole, rest) => format!("{sign}{whole}.{rest}"),
+    }
+}
+
+/// The `d` of a path.
+fn data(path: &Path) -> String {
+    let mut d = String::new();
+    for segment in &path.segments {
+        d.push(match segment {
+            Segment::Move(_) => 'M',
+            Segment::Line(_) => 'L',
+            Segment::Quad(..) => 'Q',
+            Segment::Cubic(..) => 'C',
+            Segment::Close => 'Z',
+        });
+        let numbers = segment.points().flat_map(|p| [number(p.x), number(p.y)]);
+        for (i, number) in numbers.enumerate() {
+            // A sign separates as well as a blank does.
+            d.push_str(if i > 0 && !number.starts_with('-') { " " } else { "" });
+            d.push_str(&number);
+        }
+    }
+    d
+}
+
+fn fill(color: Color) -> String {
+    color_of("fill", color)
+}
+
+fn color_of(attribute: &str, Color { r, g, b, a }: Color) -> String {
+    let opacity = match a {
+        255 => String::new(),
+        a => format!(" {attribute}-opacity=\"{}\"", decimal((f64::from(a) / 255.0 * 1000.0).round() as i64, 3)),
+    };
+    format!(" {attribute}=\"#{r:02x}{g:02x}{b:02x}\"{opacity}")
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Source: Fowler, Noll, Vo; 64 bits.
+fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+/// Source: RFC 4648, section 4.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits = (0..3).fold(0_u32, |bits, i| bits << 8 | u32::from(three.get(i).copied().unwrap_or(0)));
+        for i in 0..4 {
+            let digit = DIGITS[(bits >> (18 - 6 * i)) as usize % 64];
+            text.push(if i <= three.len() { digit.into() } else { '=' });
+        }
+    }
+    text
+}
