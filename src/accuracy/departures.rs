@@ -23,11 +23,11 @@ pub struct Departures {
     pub lost: usize,
 }
 
-/// The epsilons of a sweep, two a decade, from 1e-10 to 10.
-pub fn epsilons() -> impl Iterator<Item = f64> {
-    let decades = [1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0];
-    decades.into_iter().flat_map(|decade| [decade, 3.0 * decade])
-}
+/// The epsilons of a sweep, two a decade.
+pub const EPSILONS: [f64; 33] = [
+    1e-16, 3e-16, 1e-15, 3e-15, 1e-14, 3e-14, 1e-13, 3e-13, 1e-12, 3e-12, 1e-11, 3e-11, 1e-10, 3e-10, 1e-9, 3e-9, 1e-8,
+    3e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1, 3e-1, 1.0,
+];
 
 /// Counts for every epsilon, for the offset by an error bound, and for provenance itself, in both precisions; nothing
 /// if `stop` was set meanwhile.
@@ -46,7 +46,7 @@ pub fn sweep(scene: &Scene, stop: &AtomicBool, done: &dyn Fn()) -> Result<Option
 
 fn sweep_in<R: Real>(scene: &Scene, stop: &AtomicBool, done: &dyn Fn()) -> Result<Option<Vec<Departures>>, Unfit> {
     let Some(truth) = ends::<R>(scene, LeavingPolicy::Provenance, stop)? else { return Ok(None) };
-    let policies = epsilons().map(LeavingPolicy::FixedEpsilon);
+    let policies = EPSILONS.into_iter().map(LeavingPolicy::FixedEpsilon);
     let mut all = Vec::new();
     for leaving in policies.chain([LeavingPolicy::ErrorBound, LeavingPolicy::Provenance]) {
         let Some(ends) = ends::<R>(scene, leaving, stop)? else { return Ok(None) };

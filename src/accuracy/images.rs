@@ -121,7 +121,7 @@ impl Reference {
             variants.extend(weights.map(|weight| Variant { min_weight: Some(weight), ..base }));
         }
         let base = self.variant(Varied::Samples);
-        variants.extend([1, 2, self.samples].map(|samples| Variant { samples, ..base }));
+        variants.extend([1, 2, self.samples.div_ceil(2)].map(|samples| Variant { samples, ..base }));
         variants
     }
 }
@@ -244,7 +244,14 @@ pub fn errors(
 }
 
 /// Times all variants in interleaved rounds: the time of each over that of the reference with one sample a pixel.
-pub fn times(scene: &Scene, reference: Reference, variants: &[Variant], rounds: usize) -> Vec<Quartiles> {
+/// Nothing if `stop` was set meanwhile.
+pub fn times(
+    scene: &Scene,
+    reference: Reference,
+    variants: &[Variant],
+    rounds: usize,
+    stop: &AtomicBool,
+) -> Option<Vec<Quartiles>> {
     let base = reference.variant(Varied::Kernels);
     let all: Vec<Variant> = std::iter::once(base).chain(variants.iter().copied()).collect();
     let scenes: Vec<Scene> = all.iter().map(|variant| with_samples(scene, variant.samples)).collect();
@@ -258,10 +265,10 @@ pub fn times(scene: &Scene, reference: Reference, variants: &[Variant], rounds: 
             }
         })
         .collect();
-    let seconds = interleaved(rounds, &work);
+    let seconds = interleaved(rounds, &work, stop)?;
     let base = seconds[0].median;
     let over = |q: &Quartiles| Quartiles { lower: q.lower / base, median: q.median / base, upper: q.upper / base };
-    seconds[1..].iter().map(over).collect()
+    Some(seconds[1..].iter().map(over).collect())
 }
 
 fn renders<'s, R: Real>(scene: &'s Scene, variant: Variant) -> Box<dyn Fn() + 's> {

@@ -5,12 +5,16 @@
 //! draws where the verdict changes. [`images`] holds a scene's picture against the reference, [`departures`] looks at how its rays
 //! leave surfaces.
 
+pub mod charts;
 pub mod departures;
+pub mod export;
 pub mod forms;
 pub mod images;
 pub mod maps;
+pub mod page;
 pub mod random;
 pub mod referee;
+pub mod report;
 pub mod sets;
 pub mod timing;
 pub mod verdicts;

@@ -1,6 +1,7 @@
 //! How long it takes: medians of interleaved rounds.
 
 use std::hint::black_box;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::forms::{Form, Subject};
@@ -43,21 +44,31 @@ pub struct FormTime {
 }
 
 /// Runs each piece of work once a round, one after the other, so that whatever else the machine does meets all of them;
-/// the seconds of each.
-pub fn interleaved(rounds: usize, work: &[Box<dyn Fn() + '_>]) -> Vec<Quartiles> {
+/// the seconds of each. Nothing if `stop` was set meanwhile.
+pub fn interleaved(rounds: usize, work: &[Box<dyn Fn() + '_>], stop: &AtomicBool) -> Option<Vec<Quartiles>> {
     let mut seconds = vec![Vec::with_capacity(rounds); work.len()];
     for _ in 0..rounds {
         for (work, seconds) in work.iter().zip(&mut seconds) {
+            if stop.load(Ordering::Relaxed) {
+                return None;
+            }
             let start = Instant::now();
             work();
             seconds.push(start.elapsed().as_secs_f64());
         }
     }
-    seconds.into_iter().map(Quartiles::of).collect()
+    Some(seconds.into_iter().map(Quartiles::of).collect())
 }
 
-/// Times all forms of a subject on one set, in both precisions side by side, over `cases` independent pairs.
-pub fn time_set<S: Subject>(set: S::Set, cases: usize, rounds: usize, seed: u64) -> Vec<FormTime> {
+/// Times all forms of a subject on one set, in both precisions side by side, over `cases` independent pairs; nothing
+/// if `stop` was set meanwhile.
+pub fn time_set<S: Subject>(
+    set: S::Set,
+    cases: usize,
+    rounds: usize,
+    seed: u64,
+    stop: &AtomicBool,
+) -> Option<Vec<FormTime>> {
     let single = draw::<S, f32>(set, cases, seed);
     let double = draw::<S, f64>(set, cases, seed);
     let mut work: Vec<Box<dyn Fn() + '_>> = Vec::new();
@@ -74,21 +85,20 @@ pub fn time_set<S: Subject>(set: S::Set, cases: usize, rounds: usize, seed: u64)
             black_box(S::hits::<f64>(form, black_box(double)));
         }));
     }
-    let seconds = interleaved(rounds, &work);
+    let seconds = interleaved(rounds, &work, stop)?;
     let per_test = |q: Quartiles, share: usize| {
         let scale = 1e9 / share as f64;
         Quartiles { lower: q.lower * scale, median: q.median * scale, upper: q.upper * scale }
     };
     let named = names.into_iter().zip(seconds);
-    named
-        .map(|((form, precision, share), seconds)| FormTime {
-            subject: S::NAME,
-            set: S::set_name(set),
-            precision,
-            form,
-            nanoseconds: per_test(seconds, share),
-        })
-        .collect()
+    let times = named.map(|((form, precision, share), seconds)| FormTime {
+        subject: S::NAME,
+        set: S::set_name(set),
+        precision,
+        form,
+        nanoseconds: per_test(seconds, share),
+    });
+    Some(times.collect())
 }
 
 fn draw<S: Subject, R: Real>(set: S::Set, cases: usize, seed: u64) -> Vec<S::Case<R>> {

@@ -1,5 +1,6 @@
 //! Floor 7: what people run. Only this floor prints, and only `main` and Ctrl-C exit. One command a file.
 
+mod accuracy;
 mod check;
 mod completions;
 mod effects;
@@ -43,6 +44,7 @@ enum Command {
     Pixel(pixel::Args),
     Ray(ray::Args),
     Effects(effects::Args),
+    Accuracy(accuracy::Args),
     Check(check::Args),
     Schema(schema::Args),
     Completions(completions::Args),
@@ -67,6 +69,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
         Command::Effects(args) => effects::run(&args),
+        Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Completions(args) => completions::run(&args),

@@ -15,6 +15,11 @@ pub enum Stage {
     Expansion,
 }
 
+impl Stage {
+    /// All of them, the cheapest first.
+    pub const ALL: [Self; 4] = [Self::Filter, Self::Integer, Self::DoubleDouble, Self::Expansion];
+}
+
 /// The stage that settled a verdict and the margin it had.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
