@@ -7,6 +7,7 @@ use raytree::pictures::drawing::{
     Align, Color, Dash, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Words, around,
 };
 use raytree::pictures::theme::{Hue, Mark, Method, Theme, Verdict};
+use raytree::tree::Kind;
 use resvg::{tiny_skia, usvg};
 
 /// A bit of everything, small.
@@ -33,8 +34,58 @@ fn sampler(theme: &Theme) -> Drawing {
         Text::new(14.0, theme.ink).anchor(Align::End, Level::Baseline),
     );
     drawing.text((8.0, 104.0), "└─ hit", Text::new(12.0, theme.muted).face(Face::Mono));
+    let theta = drawing.angle((75.0, 112.0), DVec2::X, DVec2::new(0.6, -0.8), 12.0, Pen::new(theme.ink, 1.0));
+    drawing.arrow((75.0, 112.0), (95.0, 88.0), Pen::new(theme.hue(Hue::Purple), 1.5));
+    drawing.text(theta, Words::default().tex(r"\theta_1"), Text::new(11.0, theme.ink));
+    drawing.hatch(Path::circle((180.0, 104.0), 10.0), DVec2::ONE, 4.0, Pen::new(theme.axis, 0.8));
     drawing.text((140.0, 112.0), "up", Text::new(12.0, theme.ink).face(Face::Bold).upwards());
     drawing
+}
+
+/// What diagrams are made of.
+fn diagram(theme: &Theme) -> Drawing {
+    let mut drawing = Drawing::new(420.0, 300.0, theme.background, "A surface");
+    let (text, thin) = (Text::new(14.0, theme.ink), Pen::new(theme.ink, 1.0));
+    let tex = |tex: &str| Words::default().tex(tex);
+    let (hit, n) = (DVec2::new(130.0, 110.0), DVec2::NEG_Y);
+    let (incident, reflected) = (DVec2::new(0.6, 0.8), DVec2::new(0.6, -0.8));
+    drawing.ground((20.0, 110.0), (240.0, 110.0), 12.0, Pen::new(theme.axis, 1.0));
+    drawing.line((20.0, 110.0), (240.0, 110.0), thin);
+    drawing.arrow(hit, hit + 80.0 * n, thin);
+    drawing.directed(hit - 100.0 * incident, hit, 0.5, theme.ray(Kind::Camera, 2.0));
+    drawing.directed(hit, hit + 100.0 * reflected, 0.5, theme.ray(Kind::Reflected, 2.0));
+    drawing.right_angle(hit, DVec2::NEG_X, n, 9.0, thin);
+    for (from, to) in [(-incident, n), (n, reflected)] {
+        let at = drawing.angle(hit, from, to, 36.0, thin);
+        drawing.text(at, tex(r"\theta_1"), text.anchor(Align::Middle, Level::Middle));
+    }
+    let middle = drawing.dimension((30.0, 180.0), (200.0, 200.0), -16.0, thin);
+    drawing.label(tex(r"\sqrt{r^2 - h^2}"), text, &around(middle, 8.0), drawing.canvas(), &[]);
+    let root = r"t = \frac{-b \pm \sqrt{b^2 - 4ac}}{2a},\quad \hat{\mathbf n} \cdot \vec d";
+    drawing.text((250.0, 40.0), Words::default().display_tex(root), Text::new(11.0, theme.ink));
+    drawing.text((250.0, 75.0), Words::from("hit at ").tex(r"t_{\mathrm{in}} = 1.2\times 10^{-6}"), text);
+    // More points than there is room for at first sight.
+    let dots: Vec<DVec2> =
+        (0..6).map(|i| DVec2::new(280.0 + 16.0 * f64::from(i), 150.0 + 5.0 * f64::from(i % 3))).collect();
+    let obstacles: Vec<Rect> = dots.iter().map(|at| Rect { min: *at, max: *at }.grown(3.0)).collect();
+    for (i, dot) in dots.into_iter().enumerate() {
+        drawing.disk(dot, 2.5, theme.hue(Hue::Vermilion));
+        let words = tex(&format!("t_{i} = 1.{i}07"));
+        let rect = drawing.label(words, text, &around(dot, 7.0), drawing.canvas().grown(-4.0), &obstacles);
+        drawing.leader(dot, rect.unwrap(), 10.0, thin);
+    }
+    let lines = ["camera  hit ball  t 3.75", "├─ shadow  lit", "└─ reflected  background, and more than fits"];
+    drawing.listing((20.0, 235.0), &lines.map(str::to_owned), 220.0, 11.0, theme.ink);
+    drawing
+}
+
+/// Drawings in a drawing.
+fn sheet(theme: &Theme) -> Drawing {
+    let mut sheet = Drawing::new(640.0, 320.0, theme.background, "A sheet");
+    sheet.place(&diagram(theme), (10.0, 10.0), 1.0);
+    sheet.place(&sampler(theme), (435.0, 10.0), 0.9);
+    sheet.place(&sampler(theme), (435.0, 160.0), 0.5);
+    sheet
 }
 
 fn heading() -> Heading {
@@ -158,8 +209,10 @@ fn panels(theme: &Theme) -> Drawing {
 }
 
 type Draw = fn(&Theme) -> Drawing;
-const ALL: [(&str, Draw); 6] = [
+const ALL: [(&str, Draw); 8] = [
     ("sampler", sampler),
+    ("diagram", diagram),
+    ("sheet", sheet),
     ("scatter", scatter),
     ("histograms", histograms),
     ("shares", shares),
@@ -246,6 +299,45 @@ fn numbers_that_cannot_be_drawn_are_refused() {
         assert!(Drawing::new(number, 10.0, Color::WHITE, "bad").to_svg().is_err());
         assert!(Drawing::new(10.0, 10.0, Color::WHITE, "good").to_png(number).is_err());
     }
+}
+
+#[test]
+fn formulas_that_cannot_be_set_are_refused() {
+    for tex in [r"\frac{1}{", r"\nosuchcommand", r"\boxed{x}", r"\mathbb R", "漢"] {
+        let mut drawing = Drawing::new(100.0, 100.0, Color::WHITE, "bad");
+        drawing.text((10.0, 50.0), Words::default().tex(tex), Text::new(12.0, Color::BLACK));
+        let error = drawing.to_svg().unwrap_err().to_string();
+        assert!(error.contains("formula") && drawing.labels().is_empty(), "{tex}: {error}");
+    }
+}
+
+#[test]
+fn what_a_placed_drawing_says_is_said_where_it_stands() {
+    let theme = &Theme::LIGHT;
+    let (inner, outer) = (sampler(theme), sheet(theme));
+    let last = (inner.labels().last().unwrap(), outer.labels().last().unwrap());
+    assert_eq!(last.0.text, last.1.text);
+    assert_eq!(last.1.rect.min, DVec2::new(435.0, 160.0) + 0.5 * last.0.rect.min);
+}
+
+#[test]
+fn degenerate_marks_draw_nothing_or_what_they_can() {
+    let mut drawing = Drawing::new(100.0, 100.0, Color::WHITE, "degenerate");
+    let pen = Pen::new(Color::BLACK, 1.0);
+    drawing.arrow((50.0, 50.0), (50.0, 50.0), pen);
+    drawing.directed((50.0, 50.0), (50.0, 50.0), 0.5, pen);
+    drawing.angle((50.0, 50.0), DVec2::X, DVec2::X, 10.0, pen);
+    drawing.angle((50.0, 50.0), DVec2::X, DVec2::NEG_X, 10.0, pen);
+    drawing.right_angle((50.0, 50.0), DVec2::ZERO, DVec2::Y, 10.0, pen);
+    drawing.dimension((50.0, 50.0), (50.0, 50.0), 10.0, pen);
+    drawing.hatch(Path::rect(Rect::new((0.0, 0.0), (90.0, 90.0))), DVec2::Y, 1e-9, pen);
+    drawing.hatch(Path::default(), DVec2::Y, 4.0, pen);
+    drawing.listing((0.0, 0.0), &[], 0.0, 10.0, Color::BLACK);
+    drawing.listing((0.0, 0.0), &["wide".into()], 0.0, 10.0, Color::BLACK);
+    drawing.stroke(Path::default(), pen);
+    drawing.text((0.0, 0.0), "", Text::new(10.0, Color::BLACK));
+    assert!(drawing.to_svg().is_ok() && drawing.to_png(1.0).is_ok());
+    assert!(!drawing.to_svg().unwrap().contains("NaN"));
 }
 
 #[test]

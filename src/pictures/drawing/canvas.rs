@@ -57,9 +57,12 @@ impl Canvas {
                     }
                 }
                 Item::Stroke { path, pen } => self.stroke(path, *pen, frame, mask),
-                Item::Glyphs { glyphs, origin, along, color, .. } => {
+                Item::Glyphs { glyphs, pieces, origin, along, color, .. } => {
                     let (x, y, o) = (along.as_vec2(), along.perp().as_vec2(), origin.as_vec2());
                     let line = frame.pre_concat(Transform::from_row(x.x, x.y, y.x, y.y, o.x, o.y));
+                    for piece in pieces.iter().filter_map(convert) {
+                        self.pixmap.fill_path(&piece, &paint_of(*color), FillRule::Winding, line, mask);
+                    }
                     for placed in glyphs {
                         let outline =
                             self.glyphs.entry(placed.glyph).or_insert_with(|| convert(&placed.glyph.outline()));

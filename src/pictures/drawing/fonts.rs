@@ -1,4 +1,5 @@
-//! The embedded fonts: outlines, advances and kerning of their glyphs. `src/pictures/fonts/README.md` says where they are from.
+//! The embedded fonts: outlines, advances and kerning of their glyphs. `src/pictures/fonts/README.md` says where they are
+//! from.
 
 use std::sync::LazyLock;
 
@@ -33,6 +34,14 @@ faces! {
     Sans "s" "IBMPlexSans-Regular.ttf" "IBM Plex Sans, for labels.",
     Bold "b" "IBMPlexSans-SemiBold.ttf" "IBM Plex Sans SemiBold, for titles.",
     Mono "m" "IBMPlexMono-Regular.ttf" "IBM Plex Mono, for listings.",
+    MathMain "kr" "KaTeX_Main-Regular.ttf" "KaTeX: upright letters, digits, signs.",
+    MathBold "kb" "KaTeX_Main-Bold.ttf" "KaTeX: bold letters, for vectors.",
+    MathItalic "ki" "KaTeX_Math-Italic.ttf" "KaTeX: variables.",
+    MathBoldItalic "kj" "KaTeX_Math-BoldItalic.ttf" "KaTeX: bold variables.",
+    MathSize1 "k1" "KaTeX_Size1-Regular.ttf" "KaTeX: large signs.",
+    MathSize2 "k2" "KaTeX_Size2-Regular.ttf" "KaTeX: larger signs.",
+    MathSize3 "k3" "KaTeX_Size3-Regular.ttf" "KaTeX: still larger signs.",
+    MathSize4 "k4" "KaTeX_Size4-Regular.ttf" "KaTeX: the largest signs.",
 }
 
 /// A glyph of a face, by its number in the file.
@@ -56,12 +65,16 @@ impl Face {
 
     /// The glyph of a character, from this face or else from the first that has it; none has it: a question mark.
     pub(super) fn glyph(self, character: char) -> GlyphRef {
-        let of = |face: Face| face.parsed().glyph_index(character).map(|id| GlyphRef { face, id: id.0 });
-        let found = of(self).or_else(|| Face::ALL.iter().find_map(|face| of(*face)));
+        let found = self.own_glyph(character).or_else(|| Face::ALL.iter().find_map(|face| face.own_glyph(character)));
         found.unwrap_or_else(|| match character {
             '?' => GlyphRef { face: self, id: 0 },
             _ => self.glyph('?'),
         })
+    }
+
+    /// The glyph of a character from this face, if it has it.
+    pub(super) fn own_glyph(self, character: char) -> Option<GlyphRef> {
+        self.parsed().glyph_index(character).map(|id| GlyphRef { face: self, id: id.0 })
     }
 
     /// Whether some face has the character.

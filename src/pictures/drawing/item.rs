@@ -48,8 +48,8 @@ pub(super) enum Item {
     Fill { path: Path, color: Color },
     /// A line along a path.
     Stroke { path: Path, pen: Pen },
-    /// A line of text or the glyphs of a formula, from `origin` along the unit vector `along`.
-    Glyphs { glyphs: Vec<Placed>, origin: DVec2, along: DVec2, color: Color, text: String },
+    /// A line of text with the fraction bars and roots of its formulas, from `origin` along the unit vector `along`.
+    Glyphs { glyphs: Vec<Placed>, pieces: Vec<Path>, origin: DVec2, along: DVec2, color: Color, text: String },
     /// A raster stretched over a rectangle.
     Image { raster: Raster, rect: Rect, sampling: Sampling },
     /// Items that are scaled, then moved, then cut to a path in the frame around the group.
@@ -59,7 +59,9 @@ pub(super) enum Item {
 impl Item {
     /// Every number of the item that ends up in a picture; those of a group's items were looked at before.
     fn numbers(&self) -> Vec<f64> {
-        let of = |path: &Path| path.segments.iter().flat_map(Segment::points).flat_map(|p| p.to_array()).collect();
+        fn of(path: &Path) -> Vec<f64> {
+            path.segments.iter().flat_map(Segment::points).flat_map(|p| p.to_array()).collect()
+        }
         match self {
             Self::Fill { path, .. } => of(path),
             Self::Stroke { path, pen } => {
@@ -67,9 +69,9 @@ impl Item {
                 numbers.push(pen.width);
                 numbers
             }
-            Self::Glyphs { glyphs, origin, along, .. } => {
+            Self::Glyphs { glyphs, pieces, origin, along, .. } => {
                 let glyphs = glyphs.iter().flat_map(|g| [g.at.x, g.at.y, g.size]);
-                glyphs.chain(origin.to_array()).chain(along.to_array()).collect()
+                glyphs.chain(pieces.iter().flat_map(of)).chain(origin.to_array()).chain(along.to_array()).collect()
             }
             Self::Image { rect, .. } => [rect.min.to_array(), rect.max.to_array()].concat(),
             Self::Group { clip, offset, scale, .. } => {

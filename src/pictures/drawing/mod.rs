@@ -3,11 +3,14 @@
 //!
 //! Coordinates are user units (pixels of the PNG at scale 1), x to the right, y down. They have to be finite and at most
 //! 10^5 in magnitude. A call with others draws nothing, and makes [`Drawing::to_png`] and [`Drawing::to_svg`] answer with
-//! [`Unfit`], so that a NaN is never part of an output and the calls need no `Result`.
+//! [`Unfit`], so that a NaN is never part of an output and the calls need no `Result`. The same holds for a formula that is not
+//! TeX.
 
 mod canvas;
 mod fonts;
 mod item;
+mod marks;
+mod maths;
 mod path;
 mod pen;
 mod place;
@@ -21,6 +24,7 @@ use item::Item;
 
 pub use fonts::Face;
 pub use item::{Raster, Sampling};
+pub use marks::{MOST_HATCHES, angle_of};
 pub use path::{Path, Segment};
 pub use pen::{Color, Dash, Pen};
 pub use place::{Placement, around};
@@ -48,21 +52,21 @@ pub struct Label {
     pub rect: Rect,
 }
 
-/// Why a drawing has no picture: a call was given a number that cannot be drawn.
-#[derive(Clone, Debug, PartialEq)]
+/// Why a drawing has no picture: a call was given what cannot be drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unfit {
     /// The drawing's title.
     pub title: String,
     /// The call.
     pub call: &'static str,
-    /// The number.
-    pub number: f64,
+    /// What it was given.
+    pub given: String,
 }
 
 impl std::fmt::Display for Unfit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Unfit { title, call, number } = self;
-        write!(f, "the drawing \"{title}\" has no picture: `{call}` was given the coordinate {number}")
+        let Unfit { title, call, given } = self;
+        write!(f, "the drawing \"{title}\" has no picture: `{call}` was given {given}")
     }
 }
 
@@ -81,7 +85,7 @@ impl Drawing {
             unfit: None,
         };
         match [width, height].into_iter().find(|side| !(1.0 <= *side && *side <= item::LARGEST)) {
-            Some(side) => drawing.refuse("new", side),
+            Some(side) => drawing.refuse("new", format!("the side {side}")),
             None => drawing.size = DVec2::new(width, height),
         }
         drawing
@@ -139,8 +143,13 @@ impl Drawing {
         let offset = text.offset(&run);
         let origin = anchor + text.along * offset.x + text.along.perp() * offset.y;
         let rect = text.ink(anchor, words.clone());
-        let item =
-            Item::Glyphs { glyphs: run.glyphs, origin, along: text.along, color: text.color, text: words.to_string() };
+        if let Some(reason) = run.refused {
+            self.refuse("text", reason);
+            return None;
+        }
+        let (along, color) = (text.along, text.color);
+        let (glyphs, pieces) = (run.glyphs, run.pieces);
+        let item = Item::Glyphs { glyphs, pieces, origin, along, color, text: words.to_string() };
         if self.push("text", item)
             && let Some(rect) = rect
         {
@@ -183,11 +192,11 @@ impl Drawing {
     /// The PNG file, `scale` pixels a user unit.
     ///
     /// # Errors
-    /// Where a call was given a number that cannot be drawn, or the picture would be empty or have more than 16384 pixels a
+    /// Where a call was given what cannot be drawn, or the picture would be empty or have more than 16384 pixels a
     /// side.
     pub fn to_png(&self, scale: f64) -> Result<Vec<u8>, Unfit> {
         self.fit()?;
-        canvas::png(self, scale).ok_or_else(|| self.unfit("to_png", scale))
+        canvas::png(self, scale).ok_or_else(|| self.unfit("to_png", format!("the scale {scale}")))
     }
 
     /// The picture as a raster, `scale` pixels a user unit.
@@ -196,14 +205,14 @@ impl Drawing {
     /// Those of [`Drawing::to_png`].
     pub fn to_raster(&self, scale: f64) -> Result<Raster, Unfit> {
         self.fit()?;
-        canvas::raster(self, scale).ok_or_else(|| self.unfit("to_raster", scale))
+        canvas::raster(self, scale).ok_or_else(|| self.unfit("to_raster", format!("the scale {scale}")))
     }
 
     /// The SVG file: text as outlines, rasters as PNG inside, nothing from elsewhere. Several may stand in one page: what
     /// they name the same is the same.
     ///
     /// # Errors
-    /// Where a call was given a number that cannot be drawn.
+    /// Where a call was given what cannot be drawn.
     pub fn to_svg(&self) -> Result<String, Unfit> {
         self.fit()?;
         Ok(svg::write(self))
@@ -213,19 +222,19 @@ impl Drawing {
         self.unfit.clone().map_or(Ok(()), Err)
     }
 
-    fn unfit(&self, call: &'static str, number: f64) -> Unfit {
-        Unfit { title: self.title.clone(), call, number }
+    fn unfit(&self, call: &'static str, given: String) -> Unfit {
+        Unfit { title: self.title.clone(), call, given }
     }
 
-    fn refuse(&mut self, call: &'static str, number: f64) {
-        let unfit = self.unfit(call, number);
+    fn refuse(&mut self, call: &'static str, given: String) {
+        let unfit = self.unfit(call, given);
         self.unfit.get_or_insert(unfit);
     }
 
     /// Keeps an item whose numbers are fit, and says whether they were.
     fn push(&mut self, call: &'static str, item: Item) -> bool {
         match item.unfit_number() {
-            Some(number) => self.refuse(call, number),
+            Some(number) => self.refuse(call, format!("the coordinate {number}")),
             None => self.items.push(item),
         }
         self.unfit.is_none()

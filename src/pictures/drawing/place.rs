@@ -42,7 +42,8 @@ pub fn around(point: impl Into<DVec2>, gap: f64) -> Vec<Placement> {
 
 impl Drawing {
     /// Writes a label at the best of `places`: within `within`, clear of all labels so far and of `obstacles`, close to what it
-    /// names, and so that a line between the two crosses nothing; of places about as good the earlier. Returns the rectangle around its ink.
+    /// names, and so that a line between the two crosses nothing; of places about as good the earlier. Returns the rectangle
+    /// around its ink.
     pub fn label(
         &mut self,
         words: impl Into<Words>,

@@ -66,10 +66,14 @@ impl Body {
                         number(pen.width)
                     );
                 }
-                Item::Glyphs { glyphs, origin, along, color, text } => {
+                Item::Glyphs { glyphs, pieces, origin, along, color, text } => {
                     let _ = write!(self.text, "<g aria-label=\"{}\"{}>", escape(text), fill(*color));
                     for same in glyphs.chunk_by(|a, b| a.size == b.size && a.glyph.face == b.glyph.face) {
                         self.glyphs(same, *origin, *along);
+                    }
+                    for piece in pieces {
+                        let piece = piece.map(|p| *origin + p.x * *along + p.y * along.perp());
+                        let _ = write!(self.text, "<path d=\"{}\"/>", data(&piece));
                     }
                     self.text.push_str("</g>\n");
                 }

@@ -3,6 +3,8 @@
 use glam::DVec2;
 
 use super::fonts::{Face, GlyphRef};
+use super::maths;
+use super::path::Path;
 use super::pen::Color;
 use super::rect::Rect;
 
@@ -110,12 +112,18 @@ impl Text {
 
     /// The glyphs of `words` with their pen positions.
     pub(super) fn set(&self, words: &Words) -> Run {
-        let mut run = Run { glyphs: Vec::new(), advance: 0.0, ink: None };
+        let mut run = Run::default();
         for span in &words.spans {
             let (share, shift) = match span.rise {
                 Rise::Level => (1.0, 0.0),
                 Rise::Raised => (SCRIPT, -RAISED),
                 Rise::Lowered => (SCRIPT, LOWERED),
+                Rise::Formula(style) => {
+                    if let Err(reason) = maths::set(&span.text, style, self.size, &mut run) {
+                        run.refused.get_or_insert(reason);
+                    }
+                    continue;
+                }
             };
             let size = share * self.size;
             let mut before: Option<GlyphRef> = None;
@@ -145,6 +153,7 @@ enum Rise {
     Level,
     Raised,
     Lowered,
+    Formula(maths::Style),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -154,7 +163,7 @@ struct Span {
     face: Option<Face>,
 }
 
-/// A line of text, parts of which may be raised, lowered or in another font.
+/// A line of text, parts of which may be raised, lowered, in another font, or formulas.
 ///
 /// # Example
 /// `Words::from("10").raised("−3")` is a power of ten, and reads `10^−3`.
@@ -184,6 +193,16 @@ impl Words {
         self.and(text, Rise::Raised, None)
     }
 
+    /// Followed by a formula in TeX, set to fit into a line. One that cannot be set makes the drawing unfit.
+    pub fn tex(self, tex: &str) -> Self {
+        self.and(tex, Rise::Formula(maths::Style::Inline), None)
+    }
+
+    /// Followed by a formula in TeX, set as on a line of its own: fractions are large.
+    pub fn display_tex(self, tex: &str) -> Self {
+        self.and(tex, Rise::Formula(maths::Style::Display), None)
+    }
+
     /// Followed by a subscript.
     pub fn lowered(self, text: &str) -> Self {
         self.and(text, Rise::Lowered, None)
@@ -211,12 +230,12 @@ impl From<&String> for Words {
 impl std::fmt::Display for Words {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         for span in &self.spans {
-            let mark = match span.rise {
-                Rise::Level => "",
-                Rise::Raised => "^",
-                Rise::Lowered => "_",
-            };
-            write!(f, "{mark}{}", span.text)?;
+            match span.rise {
+                Rise::Level => write!(f, "{}", span.text)?,
+                Rise::Raised => write!(f, "^{}", span.text)?,
+                Rise::Lowered => write!(f, "_{}", span.text)?,
+                Rise::Formula(_) => write!(f, "${}$", span.text)?,
+            }
         }
         Ok(())
     }
@@ -231,11 +250,15 @@ pub(super) struct Placed {
 }
 
 /// A line that has been set: baseline along x from the origin.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Run {
     pub(super) glyphs: Vec<Placed>,
+    /// What is filled beside the glyphs: fraction bars, roots.
+    pub(super) pieces: Vec<Path>,
     pub(super) advance: f64,
     pub(super) ink: Option<Rect>,
+    /// Why a part of it could not be set.
+    pub(super) refused: Option<String>,
 }
 
 impl Run {
@@ -247,7 +270,19 @@ impl Run {
             min: placed.at + DVec2::new(bounds.min.x, -bounds.max.y) * k,
             max: placed.at + DVec2::new(bounds.max.x, -bounds.min.y) * k,
         };
-        self.ink = Some(self.ink.map_or(ink, |before| before.union(ink)));
+        self.add_ink(ink);
         self.glyphs.push(placed);
+    }
+
+    /// Adds a path that is filled.
+    pub(super) fn push_piece(&mut self, piece: Path) {
+        if let Some(ink) = piece.bounds() {
+            self.add_ink(ink);
+            self.pieces.push(piece);
+        }
+    }
+
+    fn add_ink(&mut self, ink: Rect) {
+        self.ink = Some(self.ink.map_or(ink, |before| before.union(ink)));
     }
 }
