@@ -4,7 +4,7 @@ use glam::DVec2;
 use raytree::numbers::Stage;
 use raytree::pictures::charts::{self, Axis, Heading, Scale};
 use raytree::pictures::drawing::{
-    Align, Color, Dash, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Words, around,
+    Align, Color, Dash, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Wanted, Words, around, cover,
 };
 use raytree::pictures::theme::{Hue, Mark, Method, Theme, Verdict};
 use raytree::tree::Kind;
@@ -59,8 +59,9 @@ fn diagram(theme: &Theme) -> Drawing {
         let at = drawing.angle(hit, from, to, 36.0, thin);
         drawing.text(at, tex(r"\theta_1"), text.anchor(Align::Middle, Level::Middle));
     }
-    let middle = drawing.dimension((30.0, 180.0), (200.0, 200.0), -16.0, thin);
-    drawing.label(tex(r"\sqrt{r^2 - h^2}"), text, &around(middle, 8.0), drawing.canvas(), &[]);
+    let ends = drawing.dimension((30.0, 180.0), (200.0, 200.0), -16.0, thin);
+    let middle = around(ends[0].midpoint(ends[1]), 8.0);
+    drawing.label(tex(r"\sqrt{r^2 - h^2}"), text, &middle, drawing.canvas(), &cover(&ends));
     let root = r"t = \frac{-b \pm \sqrt{b^2 - 4ac}}{2a},\quad \hat{\mathbf n} \cdot \vec d";
     drawing.text((250.0, 40.0), Words::default().display_tex(root), Text::new(11.0, theme.ink));
     drawing.text((250.0, 75.0), Words::from("hit at ").tex(r"t_{\mathrm{in}} = 1.2\times 10^{-6}"), text);
@@ -68,11 +69,13 @@ fn diagram(theme: &Theme) -> Drawing {
     let dots: Vec<DVec2> =
         (0..6).map(|i| DVec2::new(280.0 + 16.0 * f64::from(i), 150.0 + 5.0 * f64::from(i % 3))).collect();
     let obstacles: Vec<Rect> = dots.iter().map(|at| Rect { min: *at, max: *at }.grown(3.0)).collect();
-    for (i, dot) in dots.into_iter().enumerate() {
+    let name =
+        |(i, dot): (usize, &DVec2)| Wanted { words: tex(&format!("t_{i} = 1.{i}07")), text, places: around(*dot, 7.0) };
+    let names: Vec<Wanted> = dots.iter().enumerate().map(name).collect();
+    let rects = drawing.label_all(&names, drawing.canvas().grown(-4.0), &obstacles);
+    for (dot, rect) in dots.into_iter().zip(rects) {
         drawing.disk(dot, 2.5, theme.hue(Hue::Vermilion));
-        let words = tex(&format!("t_{i} = 1.{i}07"));
-        let rect = drawing.label(words, text, &around(dot, 7.0), drawing.canvas().grown(-4.0), &obstacles);
-        drawing.leader(dot, rect.unwrap(), 10.0, thin);
+        drawing.leader(dot, rect.unwrap(), 10.0, Pen::new(theme.muted, 0.8));
     }
     let lines = ["camera  hit ball  t 3.75", "├─ shadow  lit", "└─ reflected  background, and more than fits"];
     drawing.listing((20.0, 235.0), &lines.map(str::to_owned), 220.0, 11.0, theme.ink);
@@ -280,8 +283,8 @@ fn numbers_that_cannot_be_drawn_are_refused() {
         |d, x| d.line((0.0, 0.0), (1.0, 1.0), Pen::new(Color::BLACK, x)),
         |d, x| d.disk((0.0, x), 1.0, Color::BLACK),
         |d, x| d.stroke(Path::arc((0.0, 0.0), x, 0.0, 1.0), Pen::new(Color::BLACK, 1.0)),
-        |d, x| drop(d.text((x, 0.0), "x", Text::new(12.0, Color::BLACK))),
-        |d, x| drop(d.text((0.0, 0.0), "x", Text::new(x, Color::BLACK))),
+        |d, x| _ = d.text((x, 0.0), "x", Text::new(12.0, Color::BLACK)),
+        |d, x| _ = d.text((0.0, 0.0), "x", Text::new(x, Color::BLACK)),
         |d, x| d.clipped(Path::circle((0.0, 0.0), x), |_| {}),
     ];
     for number in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e9] {

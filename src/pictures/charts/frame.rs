@@ -173,16 +173,3 @@ pub(super) fn draw_mark(drawing: &mut Drawing, mark: Mark, at: DVec2, radius: f6
 pub(super) fn mark_room(at: DVec2, radius: f64) -> Rect {
     Rect { min: at, max: at }.grown(radius * 1.25)
 }
-
-/// Small rectangles that cover a line, for labels to keep away from.
-pub(super) fn cover(points: &[DVec2]) -> Vec<Rect> {
-    let mut rects = Vec::new();
-    for ends in points.windows(2) {
-        let steps = (ends[0].distance(ends[1]) / 5.0).ceil().clamp(1.0, 400.0) as usize;
-        rects.extend((0..=steps).map(|i| {
-            let at = ends[0].lerp(ends[1], i as f64 / steps as f64);
-            Rect { min: at, max: at }.grown(2.0)
-        }));
-    }
-    rects
-}

@@ -43,7 +43,7 @@ impl Scale {
         if !(low <= high) {
             (low, high) = (1.0, 10.0);
         }
-        let (low, high) = (round_to_125(low * 0.8, f64::floor), round_to_125(high * 1.25, f64::ceil));
+        let (low, high) = (round_down(low * 0.8), round_up(high * 1.25));
         if zero { Scale::LogAndZero(low, high) } else { Scale::Log(low, high) }
     }
 
@@ -59,13 +59,22 @@ impl Scale {
     }
 }
 
-/// 1, 2 or 5 times a power of ten: the next one in the direction of `round`.
-fn round_to_125(x: f64, round: fn(f64) -> f64) -> f64 {
-    // Thirds of a decade are close enough to 1, 2, 5 to find the neighbour.
-    let thirds = round(libm::log10(x) * 3.0 - 1e-9 * if round(0.5) == 0.0 { -1.0 } else { 1.0 });
-    let (decade, third) = ((thirds / 3.0).floor(), thirds.rem_euclid(3.0) as usize);
-    [1.0, 2.0, 5.0][third] * libm::pow(10.0, decade)
+/// The largest of 1, 2 and 5 times a power of ten that is at most `x`, which has to be positive.
+fn round_down(x: f64) -> f64 {
+    let power = libm::pow(10.0, libm::log10(x * (1.0 + SLACK)).floor());
+    let fits = |times: &f64| times * power <= x * (1.0 + SLACK);
+    [5.0, 2.0, 1.0].into_iter().find(fits).unwrap_or(1.0) * power
 }
+
+/// The smallest of 1, 2 and 5 times a power of ten that is at least `x`, which has to be positive.
+fn round_up(x: f64) -> f64 {
+    let power = libm::pow(10.0, libm::log10(x * (1.0 - SLACK)).floor());
+    let fits = |times: &f64| times * power >= x * (1.0 - SLACK);
+    [1.0, 2.0, 5.0].into_iter().find(fits).unwrap_or(10.0) * power
+}
+
+/// What counts as equal: logarithms and powers of ten are rounded.
+const SLACK: f64 = 1e-9;
 
 /// A scale laid along a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,7 +137,7 @@ impl Ruler {
 
     fn linear_ticks(&self, low: f64, high: f64, spacing: f64) -> Vec<Tick> {
         let wanted = ((self.end - self.start).abs() / spacing).max(1.0);
-        let step = round_to_125((high - low) / wanted, f64::ceil);
+        let step = round_up((high - low) / wanted);
         let (first, last) = ((low / step - 1e-9).ceil() as i64, (high / step + 1e-9).floor() as i64);
         let decimals = (-libm::log10(step) - 1e-9).ceil().max(0.0) as usize;
         let label = |value: f64| Words::from(plain(value, decimals));

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::frame::{self, Heading, MARGIN, Plot};
 use super::scale::{Axis, Ruler};
-use crate::pictures::drawing::{Color, Dash, Drawing, Path, Pen, Placement, Rect, Text, around};
+use crate::pictures::drawing::{Color, Dash, Drawing, Path, Pen, Placement, Rect, Text, Wanted, around, cover};
 use crate::pictures::theme::{Mark, Theme};
 
 /// A chart of points, each of which names itself.
@@ -57,7 +57,7 @@ pub fn scatter(chart: &Scatter, theme: &Theme) -> Drawing {
         obstacles.extend(draw_front(&mut drawing, &plot, &chart.points, name, theme, &obstacles));
     }
     if let Some((_, edge)) = plot.y.zero_band() {
-        obstacles.extend(frame::cover(&[DVec2::new(plot.area.min.x, edge), DVec2::new(plot.area.max.x, edge)]));
+        obstacles.extend(cover(&[DVec2::new(plot.area.min.x, edge), DVec2::new(plot.area.max.x, edge)]));
     }
     for (point, at) in chart.points.iter().zip(&places) {
         let pen = Pen::new(point.color, 1.4);
@@ -67,22 +67,20 @@ pub fn scatter(chart: &Scatter, theme: &Theme) -> Drawing {
     for (point, at) in chart.points.iter().zip(&places) {
         frame::draw_mark(&mut drawing, point.mark, *at, RADIUS, point.color, theme);
     }
-    // Crowded points first: they have the fewest places.
-    let crowd = |i: usize| places.iter().filter(|other| other.distance(places[i]) < 90.0).count();
-    let mut order: Vec<usize> = (0..places.len()).collect();
-    order.sort_by_key(|i| std::cmp::Reverse(crowd(*i)));
-    for i in order {
-        let text = Text::new(frame::TEXT, chart.points[i].color);
-        let name = chart.points[i].name.as_str();
-        let rect = drawing.label(name, text, &around(places[i], RADIUS + 4.0), plot.area.grown(-2.0), &obstacles);
+    let wanted: Vec<Wanted> = chart.points.iter().zip(&places).map(|(point, at)| name_of(point, *at)).collect();
+    let rects = drawing.label_all(&wanted, plot.area.grown(-2.0), &obstacles);
+    for ((point, at), rect) in chart.points.iter().zip(&places).zip(rects) {
         if let Some(rect) = rect {
-            let pen = Pen::new(chart.points[i].color, 0.9);
-            if let Some(ends) = drawing.leader(places[i], rect, 2.4 * RADIUS, pen) {
-                obstacles.extend(frame::cover(&ends).into_iter().map(|rect| rect.grown(2.0)));
-            }
+            drawing.leader(*at, rect, 2.4 * RADIUS, Pen::new(point.color, 0.9));
         }
     }
     drawing
+}
+
+/// The label of a point, which may stand around it.
+fn name_of(point: &Point, at: DVec2) -> Wanted {
+    let text = Text::new(frame::TEXT, point.color);
+    Wanted { words: point.name.as_str().into(), text, places: around(at, RADIUS + 4.0) }
 }
 
 /// Draws a bar with end strokes, and returns what it covers.
@@ -99,7 +97,7 @@ fn draw_spread(
     let across = (b - a).perp().normalize_or_zero() * 3.5;
     drawing.line(a - across, a + across, pen);
     drawing.line(b - across, b + across, pen);
-    frame::cover(&[a, b])
+    cover(&[a, b])
 }
 
 /// The points that no other beats: none is less in one coordinate and at most as much in the other.
@@ -134,7 +132,7 @@ fn draw_front(
     beyond.extend([max, DVec2::new(min.x, max.y), min]);
     drawing.fill(Path::polygon(beyond), theme.axis.fade(0.10));
     drawing.stroke(Path::open(steps.iter().copied()), Pen::new(theme.axis, 1.5).dashed(Dash::Dashed));
-    let covered = frame::cover(&steps);
+    let covered = cover(&steps);
     let mut places = Vec::new();
     for corner in steps.windows(2).flat_map(|ends| [ends[0].lerp(ends[1], 0.5), ends[0].lerp(ends[1], 0.85)]) {
         places.extend(around(corner, 7.0).into_iter().take(8).map(|place| Placement { of: None, ..place }));

@@ -93,7 +93,7 @@ fn percent(share: f64) -> String {
         0.0 => "0".to_owned(),
         100.0 => "100 %".to_owned(),
         p if p < 0.001 => "< 0.001 %".to_owned(),
-        p if p < 0.1 || p > 99.9 => format!("{} %", plain(p.min(99.999), 3).trim_end_matches('0')),
+        p if !(0.1..=99.9).contains(&p) => format!("{} %", plain(p.min(99.999), 3).trim_end_matches('0')),
         p => format!("{} %", plain(p, 1)),
     }
 }

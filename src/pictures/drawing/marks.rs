@@ -62,8 +62,8 @@ impl Drawing {
     }
 
     /// Draws a length: a line with end strokes from `a` to `b`, moved by `aside` to the right of the way, with thin lines back to
-    /// the points. Returns the middle of the line, for its label.
-    pub fn dimension(&mut self, a: impl Into<DVec2>, b: impl Into<DVec2>, aside: f64, pen: Pen) -> DVec2 {
+    /// the points. Returns the ends of the line, for its label to stand beside and to keep away from.
+    pub fn dimension(&mut self, a: impl Into<DVec2>, b: impl Into<DVec2>, aside: f64, pen: Pen) -> [DVec2; 2] {
         let (a, b) = (a.into(), b.into());
         let across = (b - a).normalize_or_zero().perp();
         let (p, q) = (a + aside * across, b + aside * across);
@@ -77,7 +77,7 @@ impl Drawing {
         for end in [p, q] {
             self.line(end - 4.0 * across, end + 4.0 * across, pen);
         }
-        (p + q) / 2.0
+        [p, q]
     }
 
     /// Hatches the inside of a path with lines in a direction, `spacing` apart. Where several are hatched in the same direction

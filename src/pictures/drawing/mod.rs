@@ -27,7 +27,7 @@ pub use item::{Raster, Sampling};
 pub use marks::{MOST_HATCHES, angle_of};
 pub use path::{Path, Segment};
 pub use pen::{Color, Dash, Pen};
-pub use place::{Placement, around};
+pub use place::{Placement, Wanted, around, cover};
 pub use rect::Rect;
 pub use text::{Align, Level, Text, Words};
 
