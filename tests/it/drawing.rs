@@ -228,6 +228,23 @@ fn a_small_drawing_as_svg() {
     insta::assert_snapshot!(sampler(&Theme::LIGHT).to_svg().unwrap());
 }
 
+/// Debug and release builds are held to the same hashes.
+#[test]
+fn hashes_of_drawings() {
+    use sha2::{Digest, Sha256};
+    let mut lines = String::new();
+    for (ground, theme) in [("light", &Theme::LIGHT), ("dark", &Theme::DARK)] {
+        for (name, draw) in ALL {
+            let drawing = draw(theme);
+            let png = Sha256::digest(drawing.to_raster(1.5).unwrap().rgba);
+            let svg = Sha256::digest(drawing.to_svg().unwrap());
+            let hex = |bytes: &[u8]| bytes.iter().take(8).map(|b| format!("{b:02x}")).collect::<String>();
+            lines += &format!("{name} {ground}: pixels {}, SVG {}\n", hex(&png), hex(&svg));
+        }
+    }
+    insta::assert_snapshot!(lines);
+}
+
 #[test]
 fn the_same_calls_give_the_same_bytes() {
     for (name, draw) in ALL {
