@@ -79,10 +79,10 @@ pub fn time_set<S: Subject>(
         let (single, double) = (&single[..share], &double[..share]);
         names.extend([(form, Precision::F32, share), (form, Precision::F64, share)]);
         work.push(Box::new(move || {
-            black_box(S::hits::<f32>(form, black_box(single)));
+            black_box(S::nearest::<f32>(form, black_box(single)));
         }));
         work.push(Box::new(move || {
-            black_box(S::hits::<f64>(form, black_box(double)));
+            black_box(S::nearest::<f64>(form, black_box(double)));
         }));
     }
     let seconds = interleaved(rounds, &work, stop)?;

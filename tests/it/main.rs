@@ -1,5 +1,6 @@
 //! The one integration-test binary: a module a subject.
 
+mod accuracy;
 mod bad_input;
 mod bits;
 mod commands;
