@@ -3,23 +3,27 @@
 use super::nearest::{Candidate, Detail};
 use super::world::{Geometry, World};
 use crate::kernels::offset::gamma;
-use crate::kernels::{Ray, Sphere};
+use crate::kernels::{Aabb, Ray, Sphere};
 use crate::numbers::{Real, Vector3};
 use crate::scene::Numerics;
 
 impl<R: Real> World<R> {
-    /// The point of a hit: `o + t d`; under certified numerics brought back onto the surface of a sphere or box, where
-    /// rounding has taken it off.
+    /// The point of a hit: `o + t d`; under certified numerics rounded only once, and brought back onto the surface of a
+    /// sphere or box, where rounding has taken it off.
     pub fn point(&self, ray: &Ray<R>, hit: &Candidate<R>) -> R::Vec3 {
-        let point = finite::<R>(ray.at(R::from_f64(hit.t)));
-        match self.geometry(hit.object) {
+        if self.numerics() != Numerics::Certified {
             // Where the verdict itself may be wrong the point stays where its t has put it, so that one sees what that
             // does.
-            _ if self.numerics() != Numerics::Certified => point,
-            Geometry::Sphere(sphere) => R::Vec3::from_f64(onto_sphere(ray, sphere, hit, point.to_f64())),
-            Geometry::Box(_) => self.onto_face(hit, point),
-            Geometry::Plane(_) | Geometry::Triangle(_) | Geometry::Mesh(_) => point,
+            return R::Vec3::from_f64(finite::<R>(ray.at(R::from_f64(hit.t)).to_f64()));
         }
+        // A certified t is good to more than f32 holds, and so is the point until it is rounded.
+        let wide = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
+        let point = finite::<R>((wide(ray.origin) + wide(ray.direction) * hit.t).to_array());
+        R::Vec3::from_f64(match self.geometry(hit.object) {
+            Geometry::Sphere(sphere) => onto_sphere(ray, sphere, hit, point),
+            Geometry::Box(aabb) => onto_face(aabb, hit, point),
+            Geometry::Plane(_) | Geometry::Triangle(_) | Geometry::Mesh(_) => point,
+        })
     }
 
     /// The point of a hit brought back onto its surface, and a bound on how far it still lies beside it, component by
@@ -37,7 +41,7 @@ impl<R: Real> World<R> {
     ///
     /// Pharr, Jakob and Humphreys, Physically Based Rendering, section 3.9.4; the bound of the plane is derived here.
     pub fn point_and_error(&self, ray: &Ray<R>, hit: &Candidate<R>) -> (R::Vec3, R::Vec3) {
-        let point = finite::<R>(ray.at(R::from_f64(hit.t)));
+        let point = R::Vec3::from_f64(finite::<R>(ray.at(R::from_f64(hit.t)).to_f64()));
         let scaled = |v: R::Vec3, factor: R| {
             let [x, y, z] = v.to_array();
             R::Vec3::new(x.abs() * factor, y.abs() * factor, z.abs() * factor)
@@ -52,7 +56,7 @@ impl<R: Real> World<R> {
             (sum, scaled(magnitudes, gamma(7)))
         };
         match self.geometry(hit.object) {
-            Geometry::Box(_) => (self.onto_face(hit, point), R::Vec3::default()),
+            Geometry::Box(aabb) => (R::Vec3::from_f64(onto_face(aabb, hit, point.to_f64())), R::Vec3::default()),
             Geometry::Triangle(triangle) => of_triangle(triangle.vertices),
             Geometry::Mesh(mesh) => of_triangle(mesh.triangle(hit.primitive).vertices),
             Geometry::Sphere(sphere) => {
@@ -73,26 +77,24 @@ impl<R: Real> World<R> {
             }
         }
     }
-
-    /// `point` moved onto the face of a box that was hit.
-    fn onto_face(&self, hit: &Candidate<R>, point: R::Vec3) -> R::Vec3 {
-        let Geometry::Box(aabb) = self.geometry(hit.object) else { return point };
-        let mut point = point.to_f64();
-        let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
-        for k in 0..3 {
-            point[k] = point[k].clamp(min[k], max[k]);
-        }
-        let face = hit.primitive.unwrap_or_default();
-        let axis = face as usize / 2;
-        point[axis] = if face.is_multiple_of(2) { min[axis] } else { max[axis] };
-        R::Vec3::from_f64(point)
-    }
 }
 
 /// Where f32 overflows (a plane seen almost edge-on), the last finite coordinate.
-fn finite<R: Real>(point: R::Vec3) -> R::Vec3 {
+fn finite<R: Real>(point: [f64; 3]) -> [f64; 3] {
     let largest = R::PRECISION.largest();
-    R::Vec3::from_f64(point.to_f64().map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) }))
+    point.map(|x| if x.is_nan() { 0.0 } else { x.clamp(-largest, largest) })
+}
+
+/// `point` moved onto the face of a box that was hit.
+fn onto_face<R: Real>(aabb: &Aabb<R>, hit: &Candidate<R>, mut point: [f64; 3]) -> [f64; 3] {
+    let (min, max) = (aabb.min.to_f64(), aabb.max.to_f64());
+    for k in 0..3 {
+        point[k] = point[k].clamp(min[k], max[k]);
+    }
+    let face = hit.primitive.unwrap_or_default();
+    let axis = face as usize / 2;
+    point[axis] = if face.is_multiple_of(2) { min[axis] } else { max[axis] };
+    point
 }
 
 /// The point of a sphere's hit, from the rounded `o + t d`, which may lie beside the surface.
