@@ -7,6 +7,7 @@ mod commands;
 mod drawing;
 mod effects;
 mod fuzz;
+mod hard_rows;
 mod kernels;
 mod ledger;
 mod media;

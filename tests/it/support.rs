@@ -1,9 +1,11 @@
 //! What several subjects need: the committed scenes, and scenes made of text.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use raytree::hits::Acceleration;
 use raytree::numbers::Real;
+use raytree::pictures::{Film, render};
 use raytree::scene::{self, Loaded, Numerics, Scene};
 use raytree::transport::{Options, Tracer};
 use raytree::tree::{Keep, Origin, RayTree, record_pixel};
@@ -50,6 +52,30 @@ pub(crate) fn small_scene(materials: &str, objects: &str, more: &str) -> Loaded 
             {more}
         }}"#
     ))
+}
+
+/// Two mirrors of material `m`, z = 1 and z = -1, that face each other.
+pub(crate) const FACING_MIRRORS: &str = r#"
+    { "material": "m", "shape": { "plane": { "normal": [0, 0, 1], "distance": -1 } } },
+    { "material": "m", "shape": { "plane": { "normal": [0, 0, -1], "distance": -1 } } }"#;
+
+/// The scene with an image of at most about `n` x `n` pixels.
+pub(crate) fn smaller(mut loaded: Loaded, n: u32) -> Loaded {
+    let image = &mut loaded.scene.image;
+    let factor = image.width.max(image.height).div_ceil(n);
+    (image.width, image.height) = (image.width.div_ceil(factor), image.height.div_ceil(factor));
+    loaded
+}
+
+/// A picture traced on that many threads.
+pub(crate) fn picture<R: Real>(tracer: &Tracer<'_, R>, threads: usize) -> Film {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| render(tracer, &|| {}, &AtomicBool::new(false)).unwrap())
+}
+
+/// The bits of its pixels.
+pub(crate) fn bits(film: &Film) -> Vec<[u64; 3]> {
+    film.pixels.iter().map(|rgb| rgb.to_array().map(f64::to_bits)).collect()
 }
 
 /// A tracer as the scene wants it.
