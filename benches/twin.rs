@@ -66,7 +66,7 @@ fn direct_light(tracer: &Tracer<'_, f64>, path: Path<'_>, surface: &Surface<f64>
             continue;
         }
         let limit = to.t_max.map_or(Limit::None, Limit::Below);
-        let leaving = Leaving::new(tracer, path.ray, surface, to.ray.direction, Secondary::Reflected);
+        let leaving = Leaving::new(tracer, path.ray, path.departure, surface, to.ray.direction, Secondary::Reflected);
         if !tracer.world().is_hit(&to.ray, limit, leaving.departure()).expect("a ray") {
             let term = tracer.light_term(path.ray, surface, color, &to);
             sum += term.diffuse + term.specular;
@@ -89,7 +89,7 @@ fn secondary(
     if too_deep || limits.min_weight.is_some_and(|least| weight.max_element() < least) || !take(rays_left) {
         return Rgb::ZERO;
     }
-    let leaving = Leaving::new(tracer, path.ray, surface, way.direction, way.kind);
+    let leaving = Leaving::new(tracer, path.ray, path.departure, surface, way.direction, way.kind);
     let inside = match way.kind {
         Secondary::Reflected => path.inside,
         Secondary::Refracted => &surface.beyond,

@@ -5,6 +5,7 @@ use super::forms::Form;
 use super::images::{ImageError, Reference, Varied};
 use super::maps::{Cell, Map, Place, SIDE};
 use super::report::{Report, SceneReport};
+use super::surfaces::{ContactCount, GAPS, SCALES, SelfHitCount};
 use super::timing::{FormTime, Quartiles};
 use super::verdicts::{SetCount, UlpHistogram};
 use crate::numbers::{Precision, Stage};
@@ -14,6 +15,7 @@ use crate::pictures::charts::{
 };
 use crate::pictures::drawing::{Color, Dash, Drawing, Face, Raster, Text, Words};
 use crate::pictures::theme::{Hue, Mark, Method, Theme, Verdict};
+use crate::scene::Numerics;
 use crate::transport::LeavingPolicy;
 
 /// The subjects, in the order of the report.
@@ -49,6 +51,8 @@ pub fn all(report: &Report, machine: &str, theme: &Theme) -> Vec<Chart> {
     for (place, maps) in &report.maps {
         charts.push(Chart::new(format!("map {}", place.name()), map(*place, maps, theme)));
     }
+    charts.push(Chart::new("leaving self hits", self_hits(report, theme)));
+    charts.push(Chart::new("leaving contact shadows", contact_shadows(report, theme)));
     if let Some(scene) = &report.scene {
         charts.push(Chart::new("scene error", image_errors(scene, true, theme)));
         charts.push(Chart::new("scene error at centers", image_errors(scene, false, theme)));
@@ -379,6 +383,72 @@ fn stage_heat(scene: &SceneReport, theme: &Theme) -> Drawing {
         ramp: None,
     };
     panels(&chart, theme)
+}
+
+/// The lines of the policies: one a policy and precision, of points that `points` yields for it.
+fn by_policy(theme: &Theme, points: impl Fn(Numerics, Precision) -> Vec<(f64, f64)>) -> Vec<Line> {
+    let manners = [
+        (Numerics::Lecture, "epsilon", Hue::Vermilion, Mark::Square),
+        (Numerics::Robust, "error bound", Hue::Amber, Mark::Triangle),
+        (Numerics::Certified, "provenance", Hue::Blue, Mark::Disk),
+    ];
+    let precisions = [(Precision::F32, Dash::Dashed), (Precision::F64, Dash::Solid)];
+    let line = |(numerics, name, hue, mark), (precision, dash)| Line {
+        name: format!("{name} {precision}"),
+        color: theme.hue(hue),
+        dash,
+        mark,
+        points: points(numerics, precision),
+    };
+    manners.into_iter().flat_map(|manner| precisions.map(|precision| line(manner, precision))).collect()
+}
+
+fn self_hits(report: &Report, theme: &Theme) -> Drawing {
+    let share = |numerics, precision, scale| {
+        let is_it = |s: &&SelfHitCount| s.numerics == numerics && s.precision == precision && s.scale == scale;
+        let (hits, rays) =
+            report.surfaces.self_hits.iter().filter(is_it).fold((0, 0), |(h, r), s| (h + s.hits, r + s.rays));
+        100.0 * hits as f64 / rays.max(1) as f64
+    };
+    let lines_of = by_policy(theme, |numerics, precision| {
+        SCALES.iter().map(|&scale| (scale, share(numerics, precision, scale))).collect()
+    });
+    let all = || lines_of.iter().flat_map(|line| line.points.iter().copied());
+    let chart = Lines {
+        heading: Heading {
+            title: "Rays that hit the surface they left".into(),
+            note: "Planes, spheres, triangles and boxes in any position, that far from the world's origin. The lecture's \
+                   kernels with an epsilon of 1e-4, the robust ones with an offset by an error bound, the certified ones \
+                   by provenance."
+                .into(),
+        },
+        x: Axis { title: "distance from the world's origin".into(), scale: Scale::log_around(SCALES) },
+        y: Axis { title: "per cent".into(), scale: Scale::log_around(all().map(|p| p.1)) },
+        lines: lines_of,
+    };
+    lines(&chart, theme)
+}
+
+fn contact_shadows(report: &Report, theme: &Theme) -> Drawing {
+    let share = |numerics, precision, gap| {
+        let is_it = |c: &&ContactCount| c.numerics == numerics && c.precision == precision && c.gap == gap;
+        report.surfaces.contacts.iter().find(is_it).map_or(0.0, |c| 100.0 * c.lost as f64 / c.rays.max(1) as f64)
+    };
+    let lines_of = by_policy(theme, |numerics, precision| {
+        GAPS.iter().map(|&gap| (gap, share(numerics, precision, gap))).collect()
+    });
+    let chart = Lines {
+        heading: Heading {
+            title: "Contact shadows that are lost".into(),
+            note: "Rays from a floor to a light, past a card that lies that far above the floor and covers it: all of them are in \
+                   its shadow."
+                .into(),
+        },
+        x: Axis { title: "gap between floor and card".into(), scale: Scale::log_around(GAPS) },
+        y: Axis { title: "per cent".into(), scale: Scale::Linear(0.0, 108.0) },
+        lines: lines_of,
+    };
+    lines(&chart, theme)
 }
 
 fn departures(scene: &SceneReport, theme: &Theme) -> Drawing {

@@ -7,6 +7,7 @@ use super::departures::Departures;
 use super::images::{ImageError, Reference};
 use super::maps::{Map, Place};
 use super::report::{Plan, Report, SceneReport};
+use super::surfaces::Surfaces;
 use super::timing::{FormTime, Quartiles};
 use super::verdicts::{SetCount, UlpHistogram};
 use crate::numbers::{Precision, Stage};
@@ -44,6 +45,7 @@ impl Table {
 /// The tables of a report.
 pub fn tables(report: &Report) -> Vec<Table> {
     let mut tables = vec![verdicts(report), t_errors(report), times(report), maps(report)];
+    tables.extend([leaks(report), self_hits(report), contacts(report), cubes(report)]);
     if let Some(scene) = &report.scene {
         tables.extend([images(scene), image_times(scene), departures(scene)]);
     }
@@ -123,6 +125,63 @@ fn maps(report: &Report) -> Table {
     table
 }
 
+fn leaks(report: &Report) -> Table {
+    let mut table = Table::new(
+        "leaks",
+        "Rays that find nothing where there is no way past",
+        &["numerics", "precision", "what", "rays", "leaked"],
+    );
+    for l in &report.surfaces.leaks {
+        let counts = [l.rays, l.leaked].map(|n| n.to_string());
+        table
+            .rows
+            .push([[l.numerics.to_string(), l.precision.to_string(), l.what.clone()].as_slice(), &counts].concat());
+    }
+    table
+}
+
+/// The policy in a word, with its epsilon.
+pub(super) fn policy(leaving: LeavingPolicy) -> String {
+    match leaving {
+        LeavingPolicy::FixedEpsilon(epsilon) => format!("epsilon {epsilon:e}"),
+        LeavingPolicy::ErrorBound => "error bound".into(),
+        LeavingPolicy::Provenance => "provenance".into(),
+    }
+}
+
+fn self_hits(report: &Report) -> Table {
+    let columns = ["numerics", "precision", "leaving", "ground", "scale", "rays", "self_hits"];
+    let mut table = Table::new("self-hits", "Rays that hit the surface they left", &columns);
+    for s in &report.surfaces.self_hits {
+        let mut row = vec![s.numerics.to_string(), s.precision.to_string(), policy(s.leaving), s.ground.to_owned()];
+        row.extend([number(s.scale), s.rays.to_string(), s.hits.to_string()]);
+        table.rows.push(row);
+    }
+    table
+}
+
+fn contacts(report: &Report) -> Table {
+    let columns = ["numerics", "precision", "leaving", "gap", "rays", "lost"];
+    let mut table = Table::new("contact-shadows", "Rays to the light that miss what is very near", &columns);
+    for c in &report.surfaces.contacts {
+        let mut row = vec![c.numerics.to_string(), c.precision.to_string(), policy(c.leaving), format!("{:e}", c.gap)];
+        row.extend([c.rays, c.lost].map(|n| n.to_string()));
+        table.rows.push(row);
+    }
+    table
+}
+
+fn cubes(report: &Report) -> Table {
+    let columns = ["numerics", "precision", "leaving", "rays", "bounces", "escaped"];
+    let mut table = Table::new("mirrored-cube", "Rays that get out of a closed box of mirrors", &columns);
+    for c in &report.surfaces.cubes {
+        let mut row = vec![c.numerics.to_string(), c.precision.to_string(), policy(c.leaving)];
+        row.extend([c.rays, c.bounces, c.escaped].map(|n| n.to_string()));
+        table.rows.push(row);
+    }
+    table
+}
+
 fn images(scene: &SceneReport) -> Table {
     let columns = ["varied", "variant", "rmse", "rmse_at_centers", "worst_x", "worst_y", "worst", "other_tree_shape"];
     let mut table = Table::new("images", "The scene against the reference", &columns);
@@ -178,6 +237,7 @@ pub fn to_json(report: &Report, machine: &str) -> String {
         verdicts: &'a [SetCount],
         times: &'a [FormTime],
         maps: Vec<MapCount>,
+        surfaces: &'a Surfaces,
         #[serde(skip_serializing_if = "Option::is_none")]
         scene: Option<SceneFigures<'a>>,
     }
@@ -226,6 +286,7 @@ pub fn to_json(report: &Report, machine: &str) -> String {
         verdicts: &report.counts,
         times: &report.times,
         maps: report.maps.iter().flat_map(|(place, maps)| maps.iter().map(move |map| count(place, map))).collect(),
+        surfaces: &report.surfaces,
         scene,
     };
     // Plain structs of numbers and words: nothing in them fails to be JSON.

@@ -126,30 +126,31 @@ impl Reference {
     }
 }
 
-/// The picture of a variant, and the shape of each pixel's tree where there is one sample a pixel; nothing if `stop`
-/// was set meanwhile.
+/// A variant's picture, and the shape of each pixel's tree where there is one sample a pixel.
+struct Picture {
+    film: Film,
+    shapes: Option<Vec<u64>>,
+}
+
+/// Renders a variant; nothing if `stop` was set meanwhile.
 ///
 /// # Errors
 /// [`Unfit`] where the scene does not fit the precision.
-fn picture(scene: &Scene, variant: Variant, stop: &AtomicBool) -> Result<Option<(Film, Option<Vec<u64>>)>, Unfit> {
+fn picture(scene: &Scene, variant: Variant, stop: &AtomicBool) -> Result<Option<Picture>, Unfit> {
     match variant.precision {
         Precision::F32 => picture_in::<f32>(scene, variant, stop),
         Precision::F64 => picture_in::<f64>(scene, variant, stop),
     }
 }
 
-fn picture_in<R: Real>(
-    scene: &Scene,
-    variant: Variant,
-    stop: &AtomicBool,
-) -> Result<Option<(Film, Option<Vec<u64>>)>, Unfit> {
+fn picture_in<R: Real>(scene: &Scene, variant: Variant, stop: &AtomicBool) -> Result<Option<Picture>, Unfit> {
     let scene = &with_samples(scene, variant.samples);
     let tracer = Tracer::<R>::new(scene, options(variant))?;
     let Some(film) = render(&tracer, &|| (), stop) else { return Ok(None) };
     if variant.samples > 1 {
-        return Ok(Some((averaged(&film, variant.samples), None)));
+        return Ok(Some(Picture { film: averaged(&film, variant.samples), shapes: None }));
     }
-    Ok(each_pixel(&tracer, &TreeShape, stop).map(|shapes| (film, Some(shapes))))
+    Ok(each_pixel(&tracer, &TreeShape, stop).map(|shapes| Picture { film, shapes: Some(shapes) }))
 }
 
 fn options(variant: Variant) -> Options {
@@ -213,13 +214,15 @@ pub fn errors(
 ) -> Result<Option<Vec<ImageError>>, Unfit> {
     let base = reference.variant(Varied::Kernels);
     let sampled = Variant { samples: reference.samples, ..base };
-    let Some((truth, _)) = picture(scene, sampled, stop)? else { return Ok(None) };
+    let Some(Picture { film: truth, .. }) = picture(scene, sampled, stop)? else { return Ok(None) };
     done();
-    let Some((at_centers, Some(shapes))) = picture(scene, base, stop)? else { return Ok(None) };
+    let Some(Picture { film: at_centers, shapes: Some(shapes) }) = picture(scene, base, stop)? else {
+        return Ok(None);
+    };
     done();
     let mut errors = Vec::new();
     for variant in reference.variants(scene) {
-        let (film, its_shapes) = match picture(scene, variant, stop) {
+        let Picture { film, shapes: its_shapes } = match picture(scene, variant, stop) {
             Ok(Some(picture)) => picture,
             Ok(None) => return Ok(None),
             Err(_) if variant.precision == Precision::F32 => continue,

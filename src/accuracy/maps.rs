@@ -120,7 +120,11 @@ impl Place {
                 let spoke = |k: usize| {
                     let angle = k as f64 / 6.0 * std::f64::consts::TAU + 0.2;
                     let (x, y) = (libm::cos(angle), libm::sin(angle));
-                    [center[0] + x, center[1] + 0.8 * y, 0.3 * x - 0.2 * y + if k % 2 == 0 { 0.2 } else { -0.2 }]
+                    [
+                        center[0] + x,
+                        center[1] + 0.8 * y,
+                        0.3 * x - 0.2 * y + if k.is_multiple_of(2) { 0.2 } else { -0.2 },
+                    ]
                 };
                 let triangles = [0, 1, 2, 3, 4, 5].map(|k| triangle::<R>([center, spoke(k), spoke((k + 1) % 6)]));
                 let target = DVec3::from_array(center);

@@ -4,7 +4,8 @@
 //! by side, [`referee`] knows the exact answers. [`verdicts`] counts who is right, [`timing`] how long it takes, [`maps`]
 //! draws where the verdict changes. [`images`] holds a scene's picture against the reference, [`departures`] looks at how
 //! its rays leave surfaces. [`leaks`] counts rays that get out of closed meshes, [`spawning`] rays that hit the surface
-//! they left.
+//! they left; [`surfaces`] runs both for all kernels. [`report`] measures everything, [`charts`], [`export`] and [`page`]
+//! show it.
 
 pub mod charts;
 pub mod departures;
@@ -20,5 +21,6 @@ pub mod report;
 pub mod sets;
 pub mod spawning;
 mod stage;
+pub mod surfaces;
 pub mod timing;
 pub mod verdicts;

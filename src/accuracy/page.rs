@@ -14,12 +14,12 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
     let refereed: usize = report.counts.iter().map(|c| c.refereed).sum();
     let certified = report.counts.iter().flat_map(|c| &c.forms).filter(|f| f.form == super::forms::Form::Certified);
     let wrong: usize = certified.map(|f| f.wrong()).sum();
-    write!(
+    writeln!(
         page,
         "<p>Made by <code>{}</code> on {}, seed {}. {cases} cases were drawn, {refereed} of them decided by rational \
          arithmetic: every one that the filter left open, and one in {} of the rest. The certified forms were wrong in \
          <strong>{wrong}</strong>. Times are medians of {} interleaved rounds with their quartiles; compare them, do not \
-         quote them.</p>\n",
+         quote them.</p>",
         escaped(command),
         escaped(machine),
         plan.seed,
@@ -28,21 +28,24 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
     )
     .ok();
     if report.scene.is_none() {
-        page.push_str("<p>No scene was given, so there is nothing here on images: <code>raytree accuracy SCENE -o DIR</code>.</p>\n");
+        page.push_str(
+            "<p>No scene was given, so there is nothing here on images: <code>raytree accuracy SCENE -o DIR</code>.",
+        );
+        page.push_str("</p>\n");
     }
     for (heading, about, files, table_files) in SECTIONS {
         let is_here = |name: &str| files.iter().any(|prefix| name.starts_with(prefix));
         let figures: Vec<_> = charts.iter().filter(|(name, _)| is_here(name)).collect();
-        if figures.is_empty() && heading != "All figures" {
+        if figures.is_empty() {
             continue;
         }
         write!(page, "<section>\n<h2>{heading}</h2>\n<p>{about}</p>\n").ok();
         for (name, alt) in figures {
-            write!(
+            writeln!(
                 page,
                 "<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"charts/{name}-dark.svg\">\
                  <img src=\"charts/{name}.svg\" alt=\"{}\"></picture><figcaption><a href=\"charts/{name}.svg\">SVG</a> \
-                 <a href=\"charts/{name}.png\">PNG</a></figcaption></figure>\n",
+                 <a href=\"charts/{name}.png\">PNG</a></figcaption></figure>",
                 escaped(alt)
             )
             .ok();
@@ -57,7 +60,7 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
 }
 
 /// Heading, what to see, the charts whose names begin so, the tables.
-const SECTIONS: [(&str, &str, &[&str], &[&str]); 5] = [
+const SECTIONS: [(&str, &str, &[&str], &[&str]); 6] = [
     (
         "Wrong verdicts against time",
         "Every way to decide whether a ray hits, by what it costs and by how often it is wrong, over sets from harmless to \
@@ -85,6 +88,14 @@ const SECTIONS: [(&str, &str, &[&str], &[&str]); 5] = [
         "Where a form and the referee agree on a hit, how far its t is off.",
         &["t-errors"],
         &["t-errors"],
+    ),
+    (
+        "Leaving a surface",
+        "A reflected ray or a ray to a light starts on a surface, at a point that rounding has moved off it. Three ways to keep \
+         it from hitting that surface, and what each loses: shadows far from the origin, or contact shadows. And whether a \
+         closed surface holds at all.",
+        &["leaving"],
+        &["self-hits", "contact-shadows", "leaks", "mirrored-cube"],
     ),
     (
         "The scene",
@@ -131,7 +142,9 @@ const HEAD: &str = r#"<!doctype html>
 <title>raytree: what accuracy costs in time</title>
 <style>
 :root { color-scheme: light dark; --ground: #ffffff; --ink: #1d2530; --muted: #5a6675; --rule: #d9dee5; --link: #0b62a8; }
-@media (prefers-color-scheme: dark) { :root { --ground: #14181e; --ink: #e4e9ef; --muted: #9aa6b4; --rule: #333c47; --link: #6cb6f2; } }
+@media (prefers-color-scheme: dark) {
+  :root { --ground: #14181e; --ink: #e4e9ef; --muted: #9aa6b4; --rule: #333c47; --link: #6cb6f2; }
+}
 body { margin: 0; background: var(--ground); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
 main { max-width: 1160px; margin: 0 auto; padding: 32px 24px 64px; }
 h1 { font-size: 28px; margin: 0 0 8px; }

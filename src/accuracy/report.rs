@@ -6,6 +6,7 @@ use super::departures::{self, Departures};
 use super::forms::{Boxes, Planes, Refractions, Spheres, Subject, Triangles};
 use super::images::{self, ImageError, Reference};
 use super::maps::{Map, Place};
+use super::surfaces::Surfaces;
 use super::timing::{FormTime, Quartiles, time_set};
 use super::verdicts::{Effort, SetCount, count_set};
 use crate::numbers::{Precision, Stage};
@@ -31,6 +32,14 @@ pub struct Plan {
     pub refereed_one_in: usize,
     /// At most so many values of `t` of a set are held against the referee's.
     pub values: usize,
+    /// Rays from inside a closed mesh; half as many far away.
+    pub leaks: usize,
+    /// Rays that leave a surface, for each kind of surface and each scale.
+    pub spawned: usize,
+    /// Rays in a closed box of mirrors.
+    pub chains: usize,
+    /// Plain kernels get at most so many rays.
+    pub sample: usize,
     /// Pairs that are timed.
     pub timed: usize,
     /// Rounds of timing.
@@ -54,6 +63,10 @@ impl Plan {
         crossings: 6_000,
         refereed_one_in: 100,
         values: 200,
+        leaks: 2_000,
+        spawned: 500,
+        chains: 20,
+        sample: 500,
         timed: 500,
         rounds: 9,
         pixels: 6_000,
@@ -69,6 +82,10 @@ impl Plan {
         planes: 250_000,
         crossings: 300_000,
         values: 2_000,
+        leaks: 100_000,
+        spawned: 20_000,
+        chains: 1_000,
+        sample: 20_000,
         timed: 2_000,
         rounds: 31,
         pixels: 40_000,
@@ -84,6 +101,9 @@ impl Plan {
         boxes: 1_000_000,
         planes: 1_000_000,
         crossings: 4_000_000,
+        leaks: 2_000_000,
+        spawned: 1_000_000,
+        chains: 100_000,
         ..Self::USUAL
     };
 
@@ -103,6 +123,8 @@ pub struct Report {
     pub times: Vec<FormTime>,
     /// What each form says around the places where a verdict changes.
     pub maps: Vec<(Place, Vec<Map>)>,
+    /// Whether surfaces hold.
+    pub surfaces: Surfaces,
     /// The scene, if there is one.
     pub scene: Option<SceneReport>,
 }
@@ -143,7 +165,14 @@ impl Report {
         progress: &dyn Progress,
         stop: &AtomicBool,
     ) -> Result<Option<Self>, Unfit> {
-        let mut report = Self { plan, counts: Vec::new(), times: Vec::new(), maps: Vec::new(), scene: None };
+        let mut report = Self {
+            plan,
+            counts: Vec::new(),
+            times: Vec::new(),
+            maps: Vec::new(),
+            surfaces: Surfaces::default(),
+            scene: None,
+        };
         let done = report.subject::<Triangles>(plan.triangles, progress, stop)
             && report.subject::<Spheres>(plan.spheres, progress, stop)
             && report.subject::<Boxes>(plan.boxes, progress, stop)
@@ -159,6 +188,8 @@ impl Report {
             report.maps.push((place, maps));
             progress.step(1);
         }
+        let Some(surfaces) = Surfaces::measure(plan, progress, stop) else { return Ok(None) };
+        report.surfaces = surfaces;
         if let Some(loaded) = scene {
             let Some(scene) = SceneReport::measure(plan, loaded, progress, stop)? else { return Ok(None) };
             report.scene = Some(scene);

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::random::{Random, rounded, stored};
 use super::stage;
-use crate::hits::Limit;
+use crate::hits::{Departure, Limit};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
 use crate::scene::{Numerics, Scene, Shape};
@@ -96,7 +96,7 @@ fn meets<R: Real>(
     surface: &Surface<R>,
     direction: R::Vec3,
 ) -> bool {
-    let leaving = Leaving::new(seen, incident, surface, direction, Secondary::Reflected);
+    let leaving = Leaving::new(seen, incident, Departure::default(), surface, direction, Secondary::Reflected);
     let ray = spawn(surface.origin_towards(direction), direction);
     asked.world().valid_is_hit(&ray, Limit::None, leaving.departure())
 }

@@ -1,6 +1,8 @@
 //! How a ray starts: on the surfaces it left, by identity; or beyond the lecture's epsilon.
 
+use super::nearest::{Candidate, Detail};
 use crate::kernels::Start;
+use crate::numbers::Real;
 use crate::scene::ObjectId;
 
 /// A surface that a ray starts on, and the side it means to be on.
@@ -12,6 +14,14 @@ pub struct Left {
     pub primitive: Option<u32>,
     /// Whether the ray goes into the solid; means nothing for flat shapes.
     pub inward: bool,
+}
+
+impl Left {
+    /// The hit at the very start of the ray, as far as its place matters.
+    pub(crate) fn at_start<R: Real>(&self) -> Candidate<R> {
+        let Self { object, primitive, .. } = *self;
+        Candidate { object, primitive, t: 0.0, t_error: 0.0, detail: Detail::Plane }
+    }
 }
 
 /// How a ray starts.

@@ -75,7 +75,7 @@ impl<R: Real> Tracer<'_, R> {
         let split = self.split(&flight.ray, &surface);
         let follow = |way: &Way<R>| Flight {
             ray: spawn(surface.origin_towards(way.direction), way.direction),
-            leaving: Some(Leaving::new(self, &flight.ray, &surface, way.direction, way.kind)),
+            leaving: Some(Leaving::new(self, &flight.ray, departure, &surface, way.direction, way.kind)),
             inside: match way.kind {
                 Secondary::Reflected => flight.inside.clone(),
                 Secondary::Refracted => surface.beyond.clone(),

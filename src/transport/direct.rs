@@ -141,7 +141,7 @@ impl<R: Real> Tracer<'_, R> {
             return (false, recorder.node(Visit { t_max: *t_max, ..visit }, Children::none()));
         }
         let limit = t_max.map_or(Limit::None, Limit::Below);
-        let leaving = Leaving::new(self, path.ray, surface, ray.direction, Secondary::Reflected);
+        let leaving = Leaving::new(self, path.ray, path.departure, surface, ray.direction, Secondary::Reflected);
         let mut probe = Rec::Probe::default();
         // A tree tells the nearest blocker; a picture is content with any.
         let (lit, blocker) = if Rec::RECORDS {

@@ -53,10 +53,13 @@ impl Leaving {
     /// Of a ray towards `direction`; shadow rays leave like reflected ones.
     ///
     /// Surfaces at exactly equal `t` are left together, as far as the ray stays on their near side (reflected), or
-    /// passes them and they let it through (refracted). The others stand in its way and are tested as stored.
+    /// passes them and they let it through (refracted). The others stand in its way and are tested as stored. Where the
+    /// hit lies at `t = 0`, in a corner, what the incident ray had left at that same point (`departure`) stays left as
+    /// far as the new ray is on the same side of it.
     pub fn new<R: Real>(
         tracer: &Tracer<'_, R>,
         incident: &Ray<R>,
+        departure: Departure<'_>,
         surface: &Surface<R>,
         direction: R::Vec3,
         way: Secondary,
@@ -72,9 +75,9 @@ impl Leaving {
         let left = |hit: &Candidate<R>| left(tracer, incident, hit, way);
         let first = left(nearest);
         let mut several = Vec::new();
+        let spawned = Ray { origin: surface.point, direction };
         if !surface.hit.tied.is_empty() {
             several.push(first);
-            let spawned = Ray { origin: surface.point, direction };
             let goes_along = |other: &&Candidate<R>| {
                 let (before, after) =
                     (tracer.world().facing(incident, other), tracer.world().facing_of(&spawned, other));
@@ -86,6 +89,19 @@ impl Leaving {
                 }
             };
             several.extend(surface.hit.tied.iter().filter(goes_along).map(left));
+        }
+        if nearest.t == 0.0 {
+            let world = tracer.world();
+            let stays = |old: &&Left| {
+                let at = old.at_start();
+                (old.object, old.primitive) != (first.object, first.primitive)
+                    && world.facing_of(incident, &at) == world.facing_of(&spawned, &at)
+            };
+            let staying: Vec<Left> = departure.left.iter().filter(stays).copied().collect();
+            if several.is_empty() && !staying.is_empty() {
+                several.push(first);
+            }
+            several.extend(staying);
         }
         Self { first: Some(first), several, epsilon: None }
     }

@@ -150,7 +150,7 @@ impl<R: Real> Tracer<'_, R> {
         } else if !budget.take() {
             Outcome::RayBudget
         } else {
-            let leaving = Leaving::new(self, path.ray, surface, way.direction, way.kind);
+            let leaving = Leaving::new(self, path.ray, path.departure, surface, way.direction, way.kind);
             let inside = match way.kind {
                 Secondary::Reflected => path.inside,
                 Secondary::Refracted => &surface.beyond,

@@ -241,7 +241,8 @@ fn e14_a_corner_sends_rays_back() {
         format!(r#"{{ "material": "m", "shape": {{ "plane": {{ "normal": {normal}, "distance": 0 }} }} }}"#)
     };
     let loaded = small_scene(r#""m": { "reflection": 1 }"#, &[mirror("[1, 0, 0]"), mirror("[0, 1, 0]")].join(","), "");
-    for origin in [[1.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.5, 1.5, -1.0]] {
+    // The last one meets both mirrors at once.
+    for origin in [[1.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.5, 1.5, -1.0], [3.0, 5.0, -1.0]] {
         for tree in [tree_of::<f64>, tree_of::<f32>] {
             let tree = tree(&loaded, origin, [-0.375, -0.625, 0.875]);
             let last = std::iter::successors(Some(&tree.root), |node| node.reflected.as_deref()).last().unwrap();
