@@ -100,7 +100,7 @@ fn pareto(report: &Report, timed: Timed, machine: &str, theme: &Theme) -> Drawin
     };
     let note = format!(
         "Wrong verdicts: mean over all sets, most of them aimed at edges, tangents and corners; {times}. Below and to the \
-         left is better. {machine}"
+         left is better; nothing beats what lies on the dashed line. {machine}"
     );
     grid(title, &note, &charts, 2, theme)
 }
@@ -136,7 +136,7 @@ fn pareto_of(report: &Report, subject: &str, timed: Timed, theme: &Theme) -> Dra
         heading: Heading { title: capitalised(subject), note: String::new() },
         x: Axis { title: "nanoseconds a test".into(), scale: Scale::log_around(values(|p| p.x)) },
         y: Axis { title: "wrong verdicts in a million".into(), scale: Scale::linear_from_zero(values(|p| p.y)) },
-        front: Some("nothing is both faster and righter".into()),
+        front: Some(String::new()),
         points,
     };
     scatter(&chart, theme)
@@ -430,18 +430,16 @@ fn self_hits(report: &Report, theme: &Theme) -> Drawing {
 }
 
 fn contact_shadows(report: &Report, theme: &Theme) -> Drawing {
-    let share = |numerics, precision, gap| {
-        let is_it = |c: &&ContactCount| c.numerics == numerics && c.precision == precision && c.gap == gap;
-        report.surfaces.contacts.iter().find(is_it).map_or(0.0, |c| 100.0 * c.lost as f64 / c.rays.max(1) as f64)
-    };
     let lines_of = by_policy(theme, |numerics, precision| {
-        GAPS.iter().map(|&gap| (gap, share(numerics, precision, gap))).collect()
+        let is_it = |c: &&ContactCount| c.numerics == numerics && c.precision == precision && c.height == 1.0;
+        let counted = report.surfaces.contacts.iter().filter(is_it).filter(|c| c.rays > 0);
+        counted.map(|c| (c.gap, 100.0 * c.lost as f64 / c.rays as f64)).collect()
     });
     let chart = Lines {
         heading: Heading {
             title: "Contact shadows that are lost".into(),
-            note: "Rays from a floor to a light, past a card that lies that far above the floor and covers it: all of them are in \
-                   its shadow."
+            note: "Rays from a floor at height 1 to a light, past a card that lies that far above the floor and covers it: all \
+                   of them are in its shadow. f32 has no number for the smaller gaps."
                 .into(),
         },
         x: Axis { title: "gap between floor and card".into(), scale: Scale::log_around(GAPS) },

@@ -161,10 +161,11 @@ fn self_hits(report: &Report) -> Table {
 }
 
 fn contacts(report: &Report) -> Table {
-    let columns = ["numerics", "precision", "leaving", "gap", "rays", "lost"];
+    let columns = ["numerics", "precision", "leaving", "height", "gap", "rays", "lost"];
     let mut table = Table::new("contact-shadows", "Rays to the light that miss what is very near", &columns);
     for c in &report.surfaces.contacts {
-        let mut row = vec![c.numerics.to_string(), c.precision.to_string(), policy(c.leaving), format!("{:e}", c.gap)];
+        let mut row = vec![c.numerics.to_string(), c.precision.to_string(), policy(c.leaving)];
+        row.extend([number(c.height), format!("{:e}", c.gap)]);
         row.extend([c.rays, c.lost].map(|n| n.to_string()));
         table.rows.push(row);
     }

@@ -68,6 +68,8 @@ pub struct ContactCount {
     pub precision: Precision,
     /// What keeps a ray from its surface.
     pub leaving: LeavingPolicy,
+    /// The floor's height above the world's origin.
+    pub height: f64,
     /// How near.
     pub gap: f64,
     /// How many rays there were.
@@ -96,9 +98,12 @@ pub struct CubeCount {
 /// Distances from the world's origin.
 pub const SCALES: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
 
-/// Gaps between a floor and what shadows it: those below a ball of radius 1 at 0.1, 0.01, 0.001 and 0.0001 from where it
+/// Heights of a floor.
+pub const HEIGHTS: [f64; 2] = [0.0, 1.0];
+
+/// Gaps between a floor and what shadows it: those below a ball of radius 1 at 0.0001, 0.001, 0.01 and 0.1 from where it
 /// touches, and those between.
-pub const GAPS: [f64; 7] = [5e-3, 5e-4, 5e-5, 5e-6, 5e-7, 5e-8, 5e-9];
+pub const GAPS: [f64; 7] = [5e-9, 5e-8, 5e-7, 5e-6, 5e-5, 5e-4, 5e-3];
 
 /// How often rays are mirrored in the cube.
 const BOUNCES: usize = 1000;
@@ -154,11 +159,13 @@ impl Surfaces {
                 self.self_hits.push(SelfHitCount { numerics, precision, leaving, ground, scale, rays, hits });
             }
         }
-        for gap in GAPS {
-            go_on()?;
-            let found = spawning::contact_shadows::<R>(manner, 0.0, gap, sample(plan.spawned), plan.seed);
-            let (rays, lost) = (found.rays, found.lost);
-            self.contacts.push(ContactCount { numerics, precision, leaving, gap, rays, lost });
+        for height in HEIGHTS {
+            for gap in GAPS {
+                go_on()?;
+                let found = spawning::contact_shadows::<R>(manner, height, gap, sample(plan.spawned), plan.seed);
+                let (rays, lost) = (found.rays, found.lost);
+                self.contacts.push(ContactCount { numerics, precision, leaving, height, gap, rays, lost });
+            }
         }
         go_on()?;
         let chains = spawning::mirrored_cube::<R>(manner, sample(plan.chains), BOUNCES, plan.seed);

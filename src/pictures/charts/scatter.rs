@@ -140,6 +140,8 @@ fn draw_front(
     let left_of = |place: &Placement| steps.iter().any(|s| place.at.x < s.x && place.at.y > s.y);
     places.retain(|place| left_of(place));
     let text = Text::new(frame::SMALL, theme.muted);
-    drawing.label(name, text, &places, plot.area.grown(-3.0), &[marks, &covered].concat());
+    if !name.is_empty() {
+        drawing.label(name, text, &places, plot.area.grown(-3.0), &[marks, &covered].concat());
+    }
     covered
 }
