@@ -64,8 +64,10 @@ const SECTIONS: [(&str, &str, &[&str], &[&str]); 6] = [
     (
         "Wrong verdicts against time",
         "Every way to decide whether a ray hits, by what it costs and by how often it is wrong, over sets from harmless to \
-         malicious. The exact forms are right and slow; the certified ones are right and about as fast as the plain ones, \
-         because they ask for exact arithmetic only where rounding could matter.",
+         malicious. The exact forms are right and slow. The certified ones are right too, and ask for exact arithmetic only \
+         where rounding could matter: the first chart is about rays as pictures have them, the second about nothing but \
+         edges, tangents and corners. Every test here has a ray of its own; in the loop of one ray against many shapes, which \
+         <code>cargo bench --bench kernels</code> times, part of the work is done once a ray.",
         &["pareto"],
         &["verdicts", "times"],
     ),

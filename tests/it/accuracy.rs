@@ -4,13 +4,14 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 
-use raytree::accuracy::export;
 use raytree::accuracy::forms::{Boxes, Form, Planes, Refractions, Spheres, Subject, Triangles};
 use raytree::accuracy::images::{self, Reference, Varied};
 use raytree::accuracy::maps::{Place, SIDE};
 use raytree::accuracy::report::{Plan, Progress, Report};
 use raytree::accuracy::verdicts::{Effort, count};
+use raytree::accuracy::{charts, export};
 use raytree::numbers::Real;
+use raytree::pictures::theme::Theme;
 use raytree::scene::load_beside;
 
 struct Quiet;
@@ -87,6 +88,21 @@ fn maps_show_what_is_wrong() {
     }
     for place in [Place::SharedEdge, Place::Vertex, Place::Tangent] {
         assert!(place.maps::<f64>(&[Form::Exact]).iter().all(|map| map.wrong() == 0), "{place:?}");
+    }
+}
+
+/// `UPDATE_PAGES=1 cargo test accuracy` writes them anew.
+#[test]
+fn the_maps_on_the_first_page_are_made_by_the_program() {
+    for (place, file) in [(Place::SharedEdge, "map-shared-edge"), (Place::Tangent, "map-tangent")] {
+        let forms: Vec<Form> = place.forms().collect();
+        let maps: Vec<_> = place.maps::<f32>(&forms).into_iter().chain(place.maps::<f64>(&forms)).collect();
+        let png = charts::map(place, &maps, &Theme::LIGHT).to_png(2.0).unwrap();
+        let path = format!("docs/accuracy/{file}.png");
+        if std::env::var_os("UPDATE_PAGES").is_some() {
+            std::fs::write(&path, &png).unwrap();
+        }
+        assert!(std::fs::read(&path).unwrap() == png, "{path}: UPDATE_PAGES=1 cargo test accuracy");
     }
 }
 
