@@ -3,11 +3,13 @@
 mod accuracy;
 mod check;
 mod completions;
+mod diagram;
 mod effects;
 mod failure;
 mod files;
 mod options;
 mod output;
+mod picture;
 mod pixel;
 mod progress;
 mod ray;
@@ -43,6 +45,7 @@ enum Command {
     Render(render::Args),
     Pixel(pixel::Args),
     Ray(ray::Args),
+    Diagram(diagram::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Check(check::Args),
@@ -68,6 +71,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Render(args) => render::run(&args),
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
+        Command::Diagram(args) => diagram::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),

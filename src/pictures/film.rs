@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use image::{ExtendedColorType, ImageEncoder, codecs};
 
+use super::srgb::srgb8;
 use crate::numbers::Real;
 use crate::scene::{Resolution, Rgb};
 use crate::transport::Tracer;
@@ -109,11 +110,4 @@ impl Film {
 /// The nearest finite f32.
 fn float(x: f64) -> f32 {
     (x as f32).clamp(f32::MIN, f32::MAX)
-}
-
-/// A linear component as an 8-bit sRGB sample, clamped to [0, 1] and rounded. Source: IEC 61966-2-1.
-fn srgb8(linear: f64) -> u8 {
-    let x = linear.clamp(0.0, 1.0);
-    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 };
-    (255.0 * encoded).round() as u8
 }

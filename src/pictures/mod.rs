@@ -2,9 +2,13 @@
 
 #[cfg(feature = "pictures")]
 mod film;
+#[cfg(any(feature = "drawing", feature = "pictures"))]
+mod srgb;
 
 #[cfg(feature = "drawing")]
 pub mod charts;
+#[cfg(feature = "drawing")]
+pub mod diagrams;
 #[cfg(feature = "drawing")]
 pub mod drawing;
 #[cfg(feature = "drawing")]

@@ -8,6 +8,7 @@ pub mod check;
 mod costs;
 mod layout;
 mod ledger;
+mod path;
 mod record;
 mod steps;
 mod text;
@@ -16,6 +17,7 @@ use serde::{Deserialize, Serialize};
 
 pub use costs::{Cost, Costs};
 pub use ledger::{Entry, Ledger};
+pub use path::{Branch, NoSuchNode, NodePath};
 pub use record::{Keep, Origin, record_pixel, record_ray};
 pub use steps::{BoundsRecord, ShapeRecord, TestRecord, Value, Verdict};
 pub use text::Show;

@@ -1,0 +1,170 @@
+//! Diagrams: what a ray did, as geometry. Each reads a finished tree, and of the scene only where its shapes are; every number
+//! that is printed is one of the tree.
+//!
+//! One file a kind. A new kind is a file with a function `draw`, a variant of [`Kind`] and its row in [`Kind::row`].
+
+mod frame;
+mod labels;
+mod ledger;
+mod numbers;
+mod tree;
+
+use std::fmt;
+use std::str::FromStr;
+
+use glam::DVec2;
+
+use super::drawing::Drawing;
+use super::theme::Theme;
+use crate::input::{nearest, one_of};
+use crate::scene::Scene;
+use crate::tree::{NoSuchNode, NodePath, RayNode, RayTree};
+
+pub use numbers::{shown, shown_vector, tex};
+
+/// What a diagram shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// All rays of the pixel, and what each handed back.
+    Tree,
+    /// Which ray brought how much of the pixel's colour.
+    Ledger,
+}
+
+/// What there is to say about a kind.
+struct Row {
+    name: &'static str,
+    about: &'static str,
+    draw: fn(&Input<'_>, &Theme) -> Result<Drawing, NotApplicable>,
+}
+
+impl Kind {
+    /// All of them, in the order in which a page shows them.
+    pub const ALL: [Kind; 2] = [Kind::Tree, Kind::Ledger];
+
+    fn row(self) -> Row {
+        match self {
+            Self::Tree => Row {
+                name: "tree",
+                about: "all rays of the pixel as a tree, with their weights and outcomes",
+                draw: tree::draw,
+            },
+            Self::Ledger => {
+                Row { name: "ledger", about: "which ray brought how much of the pixel's colour", draw: ledger::draw }
+            }
+        }
+    }
+
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        self.row().name
+    }
+
+    /// What it shows, in a few words.
+    pub fn about(self) -> &'static str {
+        self.row().about
+    }
+
+    /// Whether it shows the whole tree, whatever the node.
+    pub fn is_of_the_whole_tree(self) -> bool {
+        matches!(self, Self::Tree | Self::Ledger)
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Kind {
+    type Err = String;
+    /// # Errors
+    /// The names that there are.
+    fn from_str(word: &str) -> Result<Self, String> {
+        let names = || Self::ALL.into_iter().map(Self::name);
+        Self::ALL.into_iter().find(|kind| kind.name() == word).ok_or_else(|| {
+            let near = nearest(word, names()).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+            format!("{near}{}", one_of(names()))
+        })
+    }
+}
+
+/// What a diagram is made of.
+#[derive(Clone, Debug)]
+pub struct Input<'a> {
+    /// The scene, for the geometry of its shapes.
+    pub scene: &'a Scene,
+    /// The finished tree, recorded with [`Keep::Steps`](crate::tree::Keep::Steps).
+    pub tree: &'a RayTree,
+    /// The node that the diagram is about, as a way from the root.
+    pub path: NodePath,
+    /// That node.
+    pub node: &'a RayNode,
+    /// The canvas at most, in user units; text keeps its size, so that less room means less of it.
+    pub size: DVec2,
+}
+
+impl<'a> Input<'a> {
+    /// The canvas of a diagram that stands alone.
+    pub const ALONE: DVec2 = DVec2::new(880.0, 580.0);
+
+    /// A diagram about the node at `path`, on a canvas of its own.
+    ///
+    /// # Errors
+    /// [`NoSuchNode`] where the tree has none there.
+    pub fn new(scene: &'a Scene, tree: &'a RayTree, path: NodePath) -> Result<Self, NoSuchNode> {
+        let node = path.find(tree)?;
+        Ok(Input { scene, tree, path, node, size: Self::ALONE })
+    }
+
+    /// The same on a canvas of at most this size.
+    pub fn sized(self, width: f64, height: f64) -> Self {
+        Input { size: DVec2::new(width, height), ..self }
+    }
+
+    /// The place of the node among those of the tree, from 1: the number of its line in the tree's text.
+    pub fn number(&self) -> usize {
+        self.tree.root.walk().position(|node| std::ptr::eq(node, self.node)).map_or(1, |i| i + 1)
+    }
+
+    /// The name that the scene has for the tree's pixel.
+    pub fn pixel_name(&self) -> Option<&'a str> {
+        let pixel = self.tree.pixel?;
+        self.scene.pixels.iter().find(|(_, p)| *p == pixel).map(|(name, _)| name.as_str())
+    }
+
+    /// What the tree is of: `pixel 388,190 "glass edge"`.
+    pub(crate) fn of_what(&self) -> String {
+        match (self.tree.pixel, self.pixel_name()) {
+            (Some([x, y]), Some(name)) => format!("pixel {x},{y} “{name}”"),
+            (Some([x, y]), None) => format!("pixel {x},{y}"),
+            (None, _) => "a ray".to_owned(),
+        }
+    }
+}
+
+/// Why a kind of diagram has nothing to show of a node.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotApplicable {
+    /// The kind.
+    pub kind: Kind,
+    /// What it would need, as a sentence that begins after "because".
+    pub why: String,
+}
+
+impl fmt::Display for NotApplicable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no {} diagram: {}", self.kind, self.why)
+    }
+}
+
+impl std::error::Error for NotApplicable {}
+
+/// The diagram of a kind.
+///
+/// # Errors
+/// [`NotApplicable`] where the node has nothing that this kind shows.
+pub fn diagram(kind: Kind, input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotApplicable> {
+    (kind.row().draw)(input, theme)
+}
