@@ -10,7 +10,6 @@ use crate::tree::Kind;
 
 /// The text sizes of diagrams.
 pub(super) const TITLE: f64 = 15.0;
-pub(super) const TEXT: f64 = 13.0;
 pub(super) const SMALL: f64 = 12.0;
 
 /// The room around a diagram.

@@ -7,6 +7,7 @@ mod frame;
 mod labels;
 mod ledger;
 mod numbers;
+mod section;
 mod tree;
 
 use std::fmt;
@@ -25,6 +26,8 @@ pub use numbers::{shown, shown_vector, tex};
 /// What a diagram shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
+    /// The scene cut along the ray, and the tree in it.
+    Section,
     /// All rays of the pixel, and what each handed back.
     Tree,
     /// Which ray brought how much of the pixel's colour.
@@ -40,10 +43,15 @@ struct Row {
 
 impl Kind {
     /// All of them, in the order in which a page shows them.
-    pub const ALL: [Kind; 2] = [Kind::Tree, Kind::Ledger];
+    pub const ALL: [Kind; 3] = [Kind::Section, Kind::Tree, Kind::Ledger];
 
     fn row(self) -> Row {
         match self {
+            Self::Section => Row {
+                name: "section",
+                about: "the scene cut along the ray, with as much of the tree as lies in the cut",
+                draw: section::draw,
+            },
             Self::Tree => Row {
                 name: "tree",
                 about: "all rays of the pixel as a tree, with their weights and outcomes",
