@@ -15,6 +15,7 @@ mod progress;
 mod ray;
 mod render;
 mod schema;
+mod sheet;
 
 use std::ffi::OsString;
 
@@ -46,6 +47,7 @@ enum Command {
     Pixel(pixel::Args),
     Ray(ray::Args),
     Diagram(diagram::Args),
+    Sheet(sheet::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Check(check::Args),
@@ -72,6 +74,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
         Command::Diagram(args) => diagram::run(&args),
+        Command::Sheet(args) => sheet::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),

@@ -6,7 +6,7 @@ use super::output::Target;
 use super::{files, progress};
 use crate::input::Problem;
 use crate::numbers::{Precision, Real};
-use crate::pictures::{self, Format};
+use crate::pictures::{self, Film, Format};
 use crate::scene::Loaded;
 
 /// Writes the picture of a scene: PNG (8-bit sRGB), or OpenEXR or PFM (linear floats)
@@ -49,22 +49,22 @@ pub(super) fn picture(
     threads: Option<u16>,
     format: Format,
 ) -> Result<Vec<u8>, Failure> {
+    film(loaded, trace, threads)?.encode(format).map_err(Failure::Machine)
+}
+
+/// The scene's picture.
+pub(super) fn film(loaded: &Loaded, trace: &TraceArgs, threads: Option<u16>) -> Result<Film, Failure> {
     match trace.precision(&loaded.scene) {
-        Precision::F32 => encode::<f32>(loaded, trace, threads, format),
-        Precision::F64 => encode::<f64>(loaded, trace, threads, format),
+        Precision::F32 => film_in::<f32>(loaded, trace, threads),
+        Precision::F64 => film_in::<f64>(loaded, trace, threads),
     }
 }
 
-fn encode<R: Real>(
-    loaded: &Loaded,
-    trace: &TraceArgs,
-    threads: Option<u16>,
-    format: Format,
-) -> Result<Vec<u8>, Failure> {
+fn film_in<R: Real>(loaded: &Loaded, trace: &TraceArgs, threads: Option<u16>) -> Result<Film, Failure> {
     let tracer = trace.tracer::<R>(loaded)?;
     let bar = progress::bar("tracing", loaded.scene.image.height.into());
     let film =
         progress::on_threads(threads, || progress::stoppable(|stop| pictures::render(&tracer, &|| bar.inc(1), stop)))??;
     bar.finish_and_clear();
-    film.encode(format).map_err(Failure::Machine)
+    Ok(film)
 }

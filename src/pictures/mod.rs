@@ -11,6 +11,8 @@ pub mod charts;
 pub mod diagrams;
 #[cfg(feature = "drawing")]
 pub mod drawing;
+#[cfg(all(feature = "drawing", feature = "pictures"))]
+pub mod sheet;
 #[cfg(feature = "drawing")]
 pub mod theme;
 

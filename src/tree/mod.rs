@@ -330,6 +330,18 @@ impl RayTree {
         Self { format: FORMAT.to_owned(), generator: None, scene: None, settings: None, pixel: None, color, rays, root }
     }
 
+    /// The same tree without the tests that its rays took: as recorded with [`Keep::Outcomes`].
+    pub fn without_tests(&self) -> Self {
+        fn forget(node: &mut RayNode) {
+            node.tests = None;
+            let children = node.shadows.iter_mut().chain(node.reflected.as_deref_mut());
+            children.chain(node.refracted.as_deref_mut()).for_each(forget);
+        }
+        let mut tree = self.clone();
+        forget(&mut tree.root);
+        tree
+    }
+
     /// The tree as JSON, indented; numbers are the shortest decimals that read back to the same bits.
     pub fn to_json(&self) -> String {
         layout::to_string(self)

@@ -103,7 +103,7 @@ pub(super) fn ring(drawing: &mut Drawing, at: DVec2, radius: f64, color: Color, 
 }
 
 /// Linear light as it is seen, clamped to [0, 1].
-pub(super) fn light(rgb: [f64; 3]) -> Color {
+pub(in crate::pictures) fn light(rgb: [f64; 3]) -> Color {
     let [r, g, b] = rgb.map(srgb8);
     Color { r, g, b, a: 255 }
 }
@@ -115,7 +115,7 @@ pub(super) fn swatch(drawing: &mut Drawing, rect: Rect, rgb: [f64; 3], theme: &T
 }
 
 /// `words`, with an ellipsis for its middle where they are wider than `width`: names differ at both ends.
-pub(super) fn elided(words: &str, text: &Text, width: f64) -> String {
+pub(in crate::pictures) fn elided(words: &str, text: &Text, width: f64) -> String {
     if text.width(words) <= width {
         return words.to_owned();
     }

@@ -21,6 +21,8 @@ use crate::input::{nearest, one_of};
 use crate::scene::Scene;
 use crate::tree::{NoSuchNode, NodePath, RayNode, RayTree};
 
+#[cfg(feature = "pictures")]
+pub(super) use frame::{elided, light};
 pub use numbers::{shown, shown_vector, tex};
 
 /// What a diagram shows.

@@ -61,7 +61,8 @@ fn circle(
     line: Pen,
     taken: &mut Taken,
 ) -> Vec<DVec2> {
-    let (at, r) = (window.at(center), radius * window.scale);
+    // What is too small to see is a dot.
+    let (at, r) = (window.at(center), (radius * window.scale).max(2.2));
     let middle = window.frame.center();
     let reach = window.frame.size().length();
     if !(at.distance(middle) <= r + reach) {

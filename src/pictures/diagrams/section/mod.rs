@@ -55,6 +55,15 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
         let places = matter::draw(&mut drawing, &window, cut, matter, &mut taken, theme);
         names.push((*id, places));
     }
+    // A shape that the plane does not cut is named where it was hit.
+    for ray in &rays {
+        let Some(hit) = ray.node.hit.as_ref().filter(|hit| (hit.shape as usize) < scene.objects.len()) else {
+            continue;
+        };
+        if names.iter().all(|(id, places)| id.0 != hit.shape || places.is_empty()) {
+            names.push((ObjectId(hit.shape), vec![window.at(plane.at(hit.point.into()))]));
+        }
+    }
     drawing.stroke(Path::rect(area), Pen::new(theme.grid, 1.5));
     rays::draw(&mut drawing, &window, &plane, &rays, &mut taken, theme);
     scale_bar(&mut drawing, &window, &mut taken, theme);

@@ -12,8 +12,8 @@ use crate::pictures::drawing::{Color, Drawing, Path, Pen, Rect, Text};
 use crate::pictures::theme::Theme;
 use crate::tree::{Kind, Outcome};
 
-/// How much of its colour a ray keeps that leaves the plane.
-const PALE: f64 = 0.5;
+/// How much of the ground is mixed into a ray that leaves the plane.
+const PALE: f64 = 0.42;
 /// How long a ray that was not traced is drawn.
 const STUB: f64 = 30.0;
 
@@ -69,7 +69,7 @@ fn clip<'r, 't>(window: &Window, plane: &Plane, ray: &'r Ray<'t>) -> Option<Show
 
 fn color(ray: &Shown<'_, '_>, theme: &Theme) -> Color {
     let color = theme.ray(ray.ray.node.kind, 1.0).color;
-    if ray.in_plane { color } else { color.mix(theme.background, 1.0 - PALE) }
+    if ray.in_plane { color } else { color.mix(theme.background, PALE) }
 }
 
 fn line(drawing: &mut Drawing, ray: &Shown<'_, '_>, theme: &Theme) {

@@ -21,7 +21,7 @@ pub(super) struct Window {
 const MARGIN: f64 = 0.13;
 
 /// A ray shorter than this on the canvas is hard to see.
-const SHORT: f64 = 26.0;
+const SHORT: f64 = 40.0;
 
 /// By how much the window may grow to show a shape in full.
 const GROWTH: f64 = 1.55;
