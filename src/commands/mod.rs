@@ -7,6 +7,7 @@ mod diagram;
 mod effects;
 mod failure;
 mod files;
+mod gallery;
 mod options;
 mod output;
 mod picture;
@@ -48,6 +49,7 @@ enum Command {
     Ray(ray::Args),
     Diagram(diagram::Args),
     Sheet(sheet::Args),
+    Gallery(gallery::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Check(check::Args),
@@ -75,6 +77,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Ray(args) => ray::run(&args),
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
+        Command::Gallery(args) => gallery::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),

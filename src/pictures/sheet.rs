@@ -155,7 +155,7 @@ fn raster(film: &Film) -> (Raster, u32) {
 
 /// The text of the tree, each line with the number that the diagrams use.
 fn listing(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
-    const LINE: f64 = 15.0;
+    const LINE: f64 = 13.6;
     let (mono, bold) = (Text::new(10.5, theme.ink).face(Face::Mono), Text::new(13.0, theme.ink).face(Face::Bold));
     page.text((room.min.x, room.min.y + 12.0), "The tree as text", bold);
     let outcomes = input.tree.to_text(Show::default());
@@ -197,7 +197,7 @@ fn is_ray(line: &str) -> bool {
 /// The section, the diagrams of the first hit, the tree and the ledger: the first four that there are.
 fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
     let half = (room.size() - GAP) / 2.0;
-    let applies = |kind: &Kind| diagram(*kind, &input.clone().sized(half.x, half.y), theme).is_ok();
+    let applies = |kind: &Kind| diagram(*kind, &input.clone().on_page(half.x, half.y), theme).is_ok();
     let of_the_hit = Kind::ALL.into_iter().filter(|kind| !kind.is_of_the_whole_tree() && *kind != Kind::Section);
     let order = [Kind::Section].into_iter().chain(of_the_hit).chain([Kind::Tree, Kind::Ledger]);
     let kinds: Vec<Kind> = order.filter(applies).take(4).collect();
@@ -212,7 +212,7 @@ fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
         let panel = Rect::new(room.min + cell * (half + GAP), size);
         page.fill(Path::rounded(panel, 6.0), theme.background);
         page.stroke(Path::rounded(panel, 6.0), Pen::new(theme.grid, 1.2));
-        if let Ok(drawing) = diagram(kind, &input.clone().sized(size.x, size.y), theme) {
+        if let Ok(drawing) = diagram(kind, &input.clone().on_page(size.x, size.y), theme) {
             page.place(&drawing, panel.min, 1.0);
         }
     }

@@ -47,6 +47,36 @@ pub fn open(path: &str) -> Result<File, String> {
     }
 }
 
+/// The scene files that a path names: itself, or all in the folder and in those within, sorted: what ends in `.json`, schemas
+/// aside.
+///
+/// # Errors
+/// One [`Problem`]: there is no such path, or a folder cannot be read.
+pub fn scene_files(path: &str) -> Result<Vec<String>, Problem> {
+    let cannot = |path: &Path, error: &std::io::Error| {
+        let message = format!("{} cannot be read: {}", path.display(), sentence(error));
+        Problem::new(path.to_string_lossy(), message, "a scene file, or a folder with scene files")
+    };
+    let mut files = Vec::new();
+    let mut open = vec![Path::new(path).to_owned()];
+    while let Some(path) = open.pop() {
+        let data = std::fs::metadata(&path).map_err(|error| cannot(&path, &error))?;
+        if !data.is_dir() {
+            files.push(path.to_string_lossy().into_owned());
+            continue;
+        }
+        for entry in std::fs::read_dir(&path).map_err(|error| cannot(&path, &error))? {
+            let inner = entry.map_err(|error| cannot(&path, &error))?.path();
+            let name = inner.to_string_lossy();
+            if inner.is_dir() || (name.ends_with(".json") && !name.ends_with(".schema.json")) {
+                open.push(inner);
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
 /// The text that a reader gives, named `shown` in messages.
 ///
 /// # Errors

@@ -34,7 +34,7 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
         let why = "no ray of this tree brought any light".to_owned();
         return Err(NotApplicable { kind: Kind::Ledger, why });
     }
-    let title = format!("Where the colour of {} comes from", input.of_what());
+    let title = input.title("The parts of the colour");
     let note = "Each term of each ray times the weight of the ray, in linear light. Bars show luminance.";
     let head = frame::begin(input.size, &title, note, theme).1;
     let most = ((head.size().y - HEAD - FOOT) / ROW).floor().clamp(3.0, 40.0) as usize - 1;
@@ -45,8 +45,8 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
     drawing.describe(format!("{} terms add up to the pixel's luminance {}.", rows.len(), sum(ledger.color)));
 
     let room = Rect { min: room.min + DVec2::new(0.0, HEAD), ..room };
-    let names = NAMES.min(0.34 * room.size().x);
-    let values = VALUES.min(0.37 * room.size().x);
+    let is_narrow = room.size().x < 640.0;
+    let (names, values) = if is_narrow { (202.0, 165.0) } else { (NAMES, VALUES) };
     let area = Rect {
         min: DVec2::new(room.min.x + names, room.min.y),
         max: DVec2::new(room.max.x - values, room.min.y + ROW * (rows.len() + 1) as f64),
@@ -54,7 +54,8 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
     let total = luminance(ledger.color);
     axis(&mut drawing, area, total, theme);
     let x = |light: f64| area.min.x + area.size().x * (light / top(total)).clamp(0.0, 1.0);
-    let digits = Text::new(SMALL, theme.muted).face(Face::Mono).anchor(Align::End, Level::Middle);
+    let digits = Text::new(if is_narrow { 10.5 } else { SMALL }, theme.muted);
+    let digits = digits.face(Face::Mono).anchor(Align::End, Level::Middle);
     let column = values / 3.0;
     for (i, word) in ["red", "green", "blue"].into_iter().enumerate() {
         let right = room.max.x - column * (2 - i) as f64;

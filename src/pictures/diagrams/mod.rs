@@ -3,6 +3,7 @@
 //!
 //! One file a kind. A new kind is a file with a function `draw`, a variant of [`Kind`] and its row in [`Kind::row`].
 
+mod contact;
 mod frame;
 mod labels;
 mod ledger;
@@ -21,6 +22,7 @@ use crate::input::{nearest, one_of};
 use crate::scene::Scene;
 use crate::tree::{NoSuchNode, NodePath, RayNode, RayTree};
 
+pub use contact::contact_sheet;
 #[cfg(feature = "pictures")]
 pub(super) use frame::{elided, light};
 pub use numbers::{shown, shown_vector, tex};
@@ -113,6 +115,17 @@ pub struct Input<'a> {
     pub node: &'a RayNode,
     /// The canvas at most, in user units; text keeps its size, so that less room means less of it.
     pub size: DVec2,
+    /// Where the diagram stands.
+    pub setting: Setting,
+}
+
+/// Where a diagram stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Setting {
+    /// Alone: it has to say which pixel it is of.
+    Alone,
+    /// On a page that says so.
+    OnPage,
 }
 
 impl<'a> Input<'a> {
@@ -125,12 +138,12 @@ impl<'a> Input<'a> {
     /// [`NoSuchNode`] where the tree has none there.
     pub fn new(scene: &'a Scene, tree: &'a RayTree, path: NodePath) -> Result<Self, NoSuchNode> {
         let node = path.find(tree)?;
-        Ok(Input { scene, tree, path, node, size: Self::ALONE })
+        Ok(Input { scene, tree, path, node, size: Self::ALONE, setting: Setting::Alone })
     }
 
-    /// The same on a canvas of at most this size.
-    pub fn sized(self, width: f64, height: f64) -> Self {
-        Input { size: DVec2::new(width, height), ..self }
+    /// The same for a part of a page, of at most this size.
+    pub fn on_page(self, width: f64, height: f64) -> Self {
+        Input { size: DVec2::new(width, height), setting: Setting::OnPage, ..self }
     }
 
     /// The place of the node among those of the tree, from 1: the number of its line in the tree's text.
@@ -142,6 +155,14 @@ impl<'a> Input<'a> {
     pub fn pixel_name(&self) -> Option<&'a str> {
         let pixel = self.tree.pixel?;
         self.scene.pixels.iter().find(|(_, p)| *p == pixel).map(|(name, _)| name.as_str())
+    }
+
+    /// A title, which says what the tree is of where nothing else does.
+    pub(crate) fn title(&self, words: &str) -> String {
+        match self.setting {
+            Setting::Alone => format!("{words} of {}", self.of_what()),
+            Setting::OnPage => words.to_owned(),
+        }
     }
 
     /// What the tree is of: `pixel 388,190 "glass edge"`.

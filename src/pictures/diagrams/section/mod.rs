@@ -30,7 +30,7 @@ const MOST: usize = 40;
 pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotApplicable> {
     let rays = rays_of(input);
     let plane = Plane::choose(input, &rays);
-    let title = format!("Section along ray {} of {}", input.number(), input.of_what());
+    let title = input.title(&format!("Section along ray {}", input.number()));
     let note = note(&plane, &rays, input);
     let (mut drawing, room) = frame::begin(input.size, &title, &note, theme);
     drawing.describe(describe(input, &rays));

@@ -24,7 +24,7 @@ const FAN: f64 = 17.0;
 
 pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotApplicable> {
     let rays = if input.tree.rays == 1 { "1 ray".to_owned() } else { format!("{} rays", input.tree.rays) };
-    let title = format!("Ray tree of {}: {rays}", input.of_what());
+    let title = format!("{}: {rays}", input.title("Ray tree"));
     let mut folding = Folding::new(input.tree);
     let (_, room) = frame::begin(input.size, &title, "", theme);
     let room = room.size() - DVec2::new(0.0, 22.0);
