@@ -201,19 +201,25 @@ fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
     let of_the_hit = Kind::ALL.into_iter().filter(|kind| !kind.is_of_the_whole_tree() && *kind != Kind::Section);
     let order = [Kind::Section].into_iter().chain(of_the_hit).chain([Kind::Tree, Kind::Ledger]);
     let kinds: Vec<Kind> = order.filter(applies).take(4).collect();
-    let (columns, wide) = (half, DVec2::new(room.size().x, half.y));
-    let sizes: Vec<(DVec2, DVec2)> = match kinds.len() {
-        4 => (0..4u32).map(|i| (DVec2::new((i % 2).into(), (i / 2).into()), columns)).collect(),
-        3 => vec![(DVec2::ZERO, wide), (DVec2::Y, columns), (DVec2::ONE, columns)],
-        2 => vec![(DVec2::ZERO, wide), (DVec2::Y, wide)],
-        _ => vec![(DVec2::ZERO, room.size())],
-    };
-    for (kind, (cell, size)) in kinds.into_iter().zip(sizes) {
-        let panel = Rect::new(room.min + cell * (half + GAP), size);
-        page.fill(Path::rounded(panel, 6.0), theme.background);
-        page.stroke(Path::rounded(panel, 6.0), Pen::new(theme.grid, 1.2));
-        if let Ok(drawing) = diagram(kind, &input.clone().on_page(size.x, size.y), theme) {
-            page.place(&drawing, panel.min, 1.0);
+    // The lower row takes what it needs, the upper one the rest.
+    let in_a_row = |count: usize| DVec2::new((room.size().x - GAP * (count - 1) as f64) / count as f64, half.y);
+    let draw = |kind: Kind, size: DVec2| diagram(kind, &input.clone().on_page(size.x, size.y), theme).ok();
+    let (upper, lower) = kinds.split_at(if kinds.len() == 4 { 2 } else { kinds.len().min(1) });
+    let lower_drawings: Vec<Option<Drawing>> = lower.iter().map(|kind| draw(*kind, in_a_row(lower.len()))).collect();
+    let heights = lower_drawings.iter().flatten().map(|drawing| drawing.canvas().size().y);
+    let lower_height = heights.fold(0.0, f64::max);
+    let upper_height = room.size().y - if lower.is_empty() { 0.0 } else { lower_height + GAP };
+    let upper_size = DVec2::new(in_a_row(upper.len().max(1)).x, upper_height);
+    let upper_drawings = upper.iter().map(|kind| draw(*kind, upper_size));
+    let rows = [
+        (room.min.y, upper_size, upper_drawings.collect()),
+        (room.min.y + upper_height + GAP, DVec2::new(in_a_row(lower.len().max(1)).x, lower_height), lower_drawings),
+    ];
+    for (y, size, drawings) in rows {
+        for (i, drawing) in drawings.iter().flatten().enumerate() {
+            let panel = Rect::new((room.min.x + i as f64 * (size.x + GAP), y), size);
+            page.stroke(Path::rounded(panel, 6.0), Pen::new(theme.grid, 1.2));
+            page.place(drawing, panel.min, 1.0);
         }
     }
 }

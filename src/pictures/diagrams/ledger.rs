@@ -20,6 +20,8 @@ const HEAD: f64 = 18.0;
 const FOOT: f64 = 22.0;
 /// Terms below this share of the pixel's luminance are summed, if there are several.
 const SMALL_SHARE: f64 = 0.002;
+/// Even a single term below this share says nothing.
+const NO_SHARE: f64 = 1e-6;
 
 /// A row of the waterfall.
 struct Row {
@@ -118,9 +120,11 @@ fn rows(input: &Input<'_>, ledger: &Ledger, most: usize) -> Vec<Row> {
     order.sort_by(|&a, &b| {
         luminance(ledger.entries[b].share).total_cmp(&luminance(ledger.entries[a].share)).then(a.cmp(&b))
     });
-    let large = |&&i: &&usize| luminance(ledger.entries[i].share) >= SMALL_SHARE * luminance(ledger.color);
-    let large = order.iter().filter(large).count();
-    let kept = if order.len() - large > 1 { large.min(most - 1) } else { order.len() };
+    let above = |share: f64| {
+        let least = share * luminance(ledger.color);
+        order.iter().filter(|&&i| luminance(ledger.entries[i].share) >= least).count()
+    };
+    let kept = if order.len() - above(SMALL_SHARE) > 1 { above(SMALL_SHARE) } else { above(NO_SHARE) };
     let kept = if kept <= most { kept } else { most - 1 };
     let rest = order.split_off(kept);
     order.sort_unstable();
@@ -139,7 +143,8 @@ fn rows(input: &Input<'_>, ledger: &Ledger, most: usize) -> Vec<Row> {
     if !rest.is_empty() {
         let mut share = [0.0; 3];
         rest.iter().for_each(|&i| (0..3).for_each(|k| share[k] += ledger.entries[i].share[k]));
-        rows.push(Row { words: [format!("the other {}", rest.len()), String::new()], share });
+        let name = if rest.len() == 1 { "one other".to_owned() } else { format!("the other {}", rest.len()) };
+        rows.push(Row { words: [name, String::new()], share });
     }
     rows
 }

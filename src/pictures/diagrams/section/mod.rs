@@ -102,6 +102,7 @@ fn note(plane: &Plane, rays: &[Ray<'_>], input: &Input<'_>) -> String {
     };
     match input.tree.rays {
         0 | 1 => format!("{which}."),
+        2 if within == 2 => format!("{which}; both rays lie in it."),
         all if within == all => format!("{which}; all {all} rays lie in it."),
         all => format!("{which}; {within} of {all} rays lie in it."),
     }

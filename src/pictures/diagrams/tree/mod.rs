@@ -29,13 +29,22 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
     let (_, room) = frame::begin(input.size, &title, "", theme);
     let room = room.size() - DVec2::new(0.0, 22.0);
     let (plan, scale) = loop {
-        let plans = [Way::Right, Way::Down].map(|way| Plan::new(&folding, way, theme));
-        let scales = plans.each_ref().map(|plan| (room / plan.size).min_element().min(1.0));
-        let best = usize::from(scales[1] > scales[0]);
-        let [right, down] = plans;
-        let (plan, scale) = if best == 0 { (right, scales[0]) } else { (down, scales[1]) };
-        if scale >= SMALLEST || !folding.fold() {
-            break (plan, scale);
+        // Cards of one line take less room down, those of several less across.
+        let ways = [(Way::Right, Lines::Several), (Way::Down, Lines::Several), (Way::Down, Lines::One)];
+        let mut best: Option<(Plan, f64)> = None;
+        for (way, lines) in ways {
+            let plan = Plan::new(&folding, way, lines, theme);
+            let scale = (room / plan.size).min_element().min(1.0);
+            if best.as_ref().is_none_or(|(_, most)| scale > *most) {
+                best = Some((plan, scale));
+            }
+            if scale >= 1.0 {
+                break;
+            }
+        }
+        match best {
+            Some(best) if best.1 >= SMALLEST || !folding.fold() => break best,
+            _ => {}
         }
     };
 
@@ -78,6 +87,13 @@ enum Way {
     Down,
 }
 
+/// How much a card says on a line.
+#[derive(Clone, Copy, PartialEq)]
+enum Lines {
+    Several,
+    One,
+}
+
 /// A ray's card.
 struct Card {
     item: usize,
@@ -94,7 +110,7 @@ struct Plan {
 }
 
 impl Plan {
-    fn new(folding: &Folding<'_>, way: Way, theme: &Theme) -> Self {
+    fn new(folding: &Folding<'_>, way: Way, lines_of: Lines, theme: &Theme) -> Self {
         let text = Text::new(SMALL, theme.ink);
         let mut cards: Vec<Card> = Vec::new();
         let mut levels: Vec<usize> = Vec::new();
@@ -111,7 +127,10 @@ impl Plan {
                 (_, 1) => lines.push("+ 1 ray".to_owned()),
                 (_, n) => lines.push(format!("+ {n} rays")),
             }
-            let lines: Vec<String> = lines.iter().map(|line| elided(line, &text, WIDEST)).collect();
+            let mut lines: Vec<String> = lines.iter().map(|line| elided(line, &text, WIDEST)).collect();
+            if lines_of == Lines::One {
+                lines = vec![lines.join("   ")];
+            }
             let number = number_width(item, theme);
             let indent = |i: usize| if i == 0 { number } else { 0.0 };
             let width = lines.iter().enumerate().map(|(i, line)| indent(i) + text.width(line)).fold(0.0, f64::max);
@@ -135,7 +154,12 @@ impl Plan {
             longest[level] = longest[level].max(length(card));
             let label =
                 weight_words(folding.items[card.item].node).map_or(0.0, |words| weight_text(theme).width(words));
-            let room = if way == Way::Right { FAN + label + 12.0 } else { FAN + 16.0 };
+            let is_alone = card.parent.is_none_or(|parent| nodes[parent].children.len() == 1);
+            let room = match way {
+                Way::Right => FAN + label + 12.0,
+                Way::Down if is_alone => 17.0,
+                Way::Down => FAN + 16.0,
+            };
             before[level] = if level == 0 { 0.0 } else { before[level].max(room) };
         }
         let mut starts = vec![0.0; depth];
@@ -208,7 +232,7 @@ impl Plan {
             Way::Down => {
                 let x = child.center().x;
                 let start = DVec2::new(parent.center().x, parent.max.y);
-                [start, DVec2::new(x, start.y + FAN), DVec2::new(x, child.min.y)]
+                [start, DVec2::new(x, (start.y + FAN).min(child.min.y)), DVec2::new(x, child.min.y)]
             }
         }
     }
