@@ -30,14 +30,14 @@ fn text(bytes: &[u8]) -> String {
 }
 
 /// Standard output of a command that goes well and says nothing on standard error.
-fn good(line: &str) -> String {
+pub(crate) fn good(line: &str) -> String {
     let output = run(line);
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""), "{line}");
     text(&output.stdout)
 }
 
 /// Standard error of a command that goes wrong and says nothing on standard output.
-fn bad(code: i32, line: &str) -> String {
+pub(crate) fn bad(code: i32, line: &str) -> String {
     let output = run(line);
     assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(code), ""), "{line}");
     let told = text(&output.stderr);

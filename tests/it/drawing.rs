@@ -278,15 +278,20 @@ fn difference(a: &[u8], b: &[u8]) -> (f64, f64) {
     (each().map(f64::from).sum::<f64>() / count, each().filter(|d| *d > 64).count() as f64 / count)
 }
 
+/// How far our PNG and the picture that resvg makes of our SVG are apart: the mean difference of a sample, of 255, and the share of
+/// samples that are off by more than 64.
+pub(crate) fn difference_to_resvg(drawing: &Drawing) -> (f64, f64) {
+    let png = drawing.to_raster(2.0).unwrap();
+    let tree = usvg::Tree::from_str(&drawing.to_svg().unwrap(), &usvg::Options::default()).unwrap();
+    let mut pixmap = tiny_skia::Pixmap::new(png.width, png.height).unwrap();
+    resvg::render(&tree, tiny_skia::Transform::from_scale(2.0, 2.0), &mut pixmap.as_mut());
+    difference(&png.rgba, &pixmap.take_demultiplied())
+}
+
 #[test]
 fn resvg_draws_our_svg_as_we_draw_the_png() {
     for (name, draw) in ALL {
-        let drawing = draw(&Theme::LIGHT);
-        let png = drawing.to_raster(2.0).unwrap();
-        let tree = usvg::Tree::from_str(&drawing.to_svg().unwrap(), &usvg::Options::default()).unwrap();
-        let mut pixmap = tiny_skia::Pixmap::new(png.width, png.height).unwrap();
-        resvg::render(&tree, tiny_skia::Transform::from_scale(2.0, 2.0), &mut pixmap.as_mut());
-        let (mean, off) = difference(&png.rgba, &pixmap.take_demultiplied());
+        let (mean, off) = difference_to_resvg(&draw(&Theme::LIGHT));
         // Coordinates in the SVG are rounded to a hundredth of a unit, which moves the grey of an edge by a few levels; the
         // smallest letter that is missing takes more than one sample in 5000.
         assert!(mean < 0.25 && off < 0.0002, "{name}: mean {mean}, share {off}");

@@ -4,6 +4,7 @@ mod accuracy;
 mod bad_input;
 mod bits;
 mod commands;
+mod diagrams;
 mod drawing;
 mod effects;
 mod fuzz;

@@ -48,7 +48,7 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
 
     let room = Rect { min: room.min + DVec2::new(0.0, HEAD), ..room };
     let is_narrow = room.size().x < 640.0;
-    let (names, values) = if is_narrow { (202.0, 165.0) } else { (NAMES, VALUES) };
+    let (names, values) = if is_narrow { (190.0, 183.0) } else { (NAMES, VALUES) };
     let area = Rect {
         min: DVec2::new(room.min.x + names, room.min.y),
         max: DVec2::new(room.max.x - values, room.min.y + ROW * (rows.len() + 1) as f64),

@@ -1,7 +1,7 @@
 //! How diagrams write the numbers of a tree.
 
-/// Four significant digits, without trailing zeros, a true minus sign, and a power of ten where the number is very large or
-/// small.
+/// Four significant digits, three with an exponent of three, without trailing zeros, a true minus sign, and a power of ten where
+/// the number is very large or small.
 ///
 /// # Example
 /// ```
@@ -54,6 +54,9 @@ fn parts(x: f64, decimals: usize) -> (String, Option<i32>) {
     let scientific = format!("{x:.decimals$e}");
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let exponent: i32 = exponent.parse().unwrap_or_default();
+    if exponent.abs() >= 100 && decimals > 2 {
+        return parts(x, 2);
+    }
     let trim = |digits: &str| match digits.contains('.') {
         true => with_minus(digits.trim_end_matches('0').trim_end_matches('.')),
         false => with_minus(digits),

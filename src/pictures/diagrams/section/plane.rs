@@ -9,6 +9,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::pictures::diagrams::Input;
+use crate::scene::Shape;
 use crate::tree::{Kind, Outcome, RayNode};
 
 /// The sine of the angle up to which a point counts as in the plane: a tenth of a degree.
@@ -77,8 +78,13 @@ impl Plane {
         let normal = hit.and_then(|hit| through(DVec3::from(hit.shading_normal.unwrap_or(hit.geometric_normal))));
         let others = rays.iter().filter(|ray| !std::ptr::eq(ray.node, node));
         let points = others.flat_map(|ray| [ray.start, ray.target()]).filter_map(|point| through(point - origin));
+        // A ray that meets nothing is shown with the shape that it passes at the smallest angle.
+        let passed = input.scene.objects.iter().filter_map(|object| Some(middle(&object.shape)? - start));
+        let angle = |v: &DVec3| along.cross(v.normalize_or_zero()).length();
+        let passed = passed.filter(|v| v.dot(along) > 0.0).min_by(|a, b| angle(a).total_cmp(&angle(b)));
+        let passed = passed.filter(|_| hit.is_none()).and_then(through);
         let any = || along.any_orthonormal_vector();
-        let candidates = normal.into_iter().chain(through(up)).chain(points).chain([any()]);
+        let candidates = normal.into_iter().chain(passed).chain(through(up)).chain(points).chain([any()]);
         let mut best: Option<(f64, DVec3)> = None;
         for candidate in candidates {
             let score = rays.iter().map(|ray| ray.importance * contained(ray, origin, candidate)).sum();
@@ -127,6 +133,20 @@ impl Plane {
     /// Whether the ray lies in the plane.
     pub(super) fn contains_ray(&self, ray: &Ray<'_>) -> bool {
         contained(ray, self.origin, self.normal) >= 1.0
+    }
+}
+
+/// A point in the middle of a shape that has one.
+fn middle(shape: &Shape) -> Option<DVec3> {
+    match shape {
+        Shape::Sphere { center, .. } => Some(*center),
+        Shape::Plane { .. } => None,
+        Shape::Box { min, max } => Some((min + max) / 2.0),
+        Shape::Triangle { vertices } => Some(vertices.iter().sum::<DVec3>() / 3.0),
+        Shape::Mesh(mesh) => {
+            let corners = || mesh.triangles.iter().flatten().copied();
+            Some((corners().reduce(DVec3::min)? + corners().reduce(DVec3::max)?) / 2.0)
+        }
     }
 }
 
