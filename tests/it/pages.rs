@@ -53,3 +53,17 @@ fn every_block_is_up_to_date() {
     }
     assert!(page == made || std::env::var_os("UPDATE_PAGES").is_some(), "README.md: UPDATE_PAGES=1 cargo test pages");
 }
+
+/// The page's picture is what its first command writes.
+#[test]
+fn the_first_picture_is_up_to_date() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("sheet.png");
+    let (tree, _) = raytree(&["sheet", "scenes/whitted.json", "mirrored glass ball", "-o", file.to_str().unwrap()]);
+    assert_eq!(tree, raytree(&["pixel", "scenes/whitted.json", "mirrored glass ball"]).0);
+    let made = std::fs::read(&file).unwrap();
+    if std::env::var_os("UPDATE_PAGES").is_some() {
+        std::fs::write("docs/sheet.png", &made).unwrap();
+    }
+    assert!(std::fs::read("docs/sheet.png").unwrap() == made, "docs/sheet.png: UPDATE_PAGES=1 cargo test pages");
+}
