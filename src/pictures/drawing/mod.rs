@@ -140,7 +140,7 @@ impl Drawing {
     pub fn text(&mut self, anchor: impl Into<DVec2>, words: impl Into<Words>, text: Text) -> Option<Rect> {
         let (anchor, words) = (anchor.into(), words.into());
         let run = text.set(&words);
-        let offset = text.offset(&run);
+        let offset = text.offset(run.advance);
         let origin = anchor + text.along * offset.x + text.along.perp() * offset.y;
         let rect = text.ink(anchor, words.clone());
         if let Some(reason) = run.refused {

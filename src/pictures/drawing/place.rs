@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::text::{Align, Level, Text, Words};
+use super::text::{Align, Frame, Level, Text, Words};
 use super::{Drawing, Pen, Rect};
 
 /// An anchor that a label may have, and how it stands there.
@@ -76,12 +76,14 @@ impl Drawing {
 
     /// Writes each label at the best of its places: within `within`, clear of all labels and of `obstacles`, close to what it
     /// names, and so that a line between the two crosses nothing; of places about as good the earlier. Returns the
-    /// rectangles around their ink.
+    /// rectangles around their ink; a label for which there is no room at all is not written.
     ///
     /// One label after the other chooses, then all choose again, knowing the others, until nobody moves or `ROUNDS` are over.
     pub fn label_all(&mut self, wanted: &[Wanted], within: Rect, obstacles: &[Rect]) -> Vec<Option<Rect>> {
         let fixed: Vec<Rect> = self.labels.iter().map(|label| label.rect).collect();
         let mut choices: Vec<Option<Choice>> = vec![None; wanted.len()];
+        let frame = |wanted: &Wanted| wanted.text.frame(&wanted.text.set(&wanted.words));
+        let frames: Vec<Option<Frame>> = wanted.iter().map(frame).collect();
         for _ in 0..ROUNDS {
             let before: Vec<_> = choices.iter().map(|c| c.map(|c| c.place)).collect();
             for i in 0..wanted.len() {
@@ -89,7 +91,7 @@ impl Drawing {
                 let labels: Vec<Rect> = fixed.iter().copied().chain(others().map(|c| c.ink)).collect();
                 let lines = others().filter_map(|c| c.line).flat_map(|[a, b]| cover(&[a, b]));
                 let blocked: Vec<Rect> = obstacles.iter().copied().chain(lines.map(|r| r.grown(2.0))).collect();
-                choices[i] = choose(&wanted[i], within, &labels, &blocked);
+                choices[i] = frames[i].and_then(|frame| choose(&wanted[i], frame, within, &labels, &blocked));
             }
             if before == choices.iter().map(|c| c.map(|c| c.place)).collect::<Vec<_>>() {
                 break;
@@ -97,7 +99,10 @@ impl Drawing {
         }
         let chosen = wanted.iter().zip(choices);
         let write = |(wanted, choice): (&Wanted, Option<Choice>)| {
-            let Placement { at, align, level, .. } = choice?.place;
+            let Choice { place: Placement { at, align, level, .. }, ink, .. } = choice?;
+            if !self.canvas().contains(ink) || self.labels.iter().any(|label| label.rect.overlaps(ink)) {
+                return None;
+            }
             self.text(at, wanted.words.clone(), wanted.text.anchor(align, level))
         };
         chosen.map(write).collect()
@@ -119,19 +124,32 @@ impl Drawing {
 
 /// The place of least cost. Outside is worse than on a label, on a label worse than on an obstacle, and all of it worse than
 /// far.
-fn choose(wanted: &Wanted, within: Rect, labels: &[Rect], obstacles: &[Rect]) -> Option<Choice> {
+fn choose(
+    wanted: &Wanted,
+    frame: Frame,
+    within: Rect,
+    labels: &[Rect],
+    obstacles: &[Rect],
+) -> Option<Choice> {
     let mut best: Option<Choice> = None;
     for (i, place) in wanted.places.iter().enumerate() {
         let text = wanted.text.anchor(place.align, place.level);
-        let ink = text.ink(place.at, wanted.words.clone())?;
+        let ink = frame.at(&text, place.at);
         let room = ink.grown(CLEARANCE);
         let outside = room.size().x * room.size().y - room.overlap_area(within.grown(CLEARANCE));
         let covered: f64 = labels.iter().map(|rect| room.overlap_area(*rect)).sum();
-        let hidden: f64 = obstacles.iter().map(|rect| room.overlap_area(*rect)).sum();
         let line = place.of.map(|of| [of, of.clamp(ink.min, ink.max)]);
-        let far =
-            line.map_or(0.0, |[of, near]| 0.6 * near.distance(of) + 0.25 * crossings(of, near, labels, obstacles));
-        let cost = 100.0 * outside.max(0.0) + 10.0 * covered + 2.0 * hidden + far + 0.4 * i as f64;
+        let far = line.map_or(0.0, |[of, near]| 0.6 * near.distance(of));
+        let mut cost = 100.0 * outside.max(0.0) + 10.0 * covered + far + 0.4 * i as f64;
+        // What is left only adds to the cost, and takes the longest to find out.
+        if best.is_some_and(|best| best.cost <= cost) {
+            continue;
+        }
+        cost += 2.0 * obstacles.iter().map(|rect| room.overlap_area(*rect)).sum::<f64>();
+        if best.is_some_and(|best| best.cost <= cost) {
+            continue;
+        }
+        cost += line.map_or(0.0, |[of, near]| 0.25 * crossings(of, near, labels, obstacles));
         if best.is_none_or(|best| cost < best.cost) {
             best = Some(Choice { place: *place, ink, line, cost });
         }

@@ -82,12 +82,8 @@ impl Text {
 
     /// Where `words` would put ink with this anchor; nothing if they have none.
     pub fn ink(&self, anchor: impl Into<DVec2>, words: impl Into<Words>) -> Option<Rect> {
-        let words = words.into();
-        let run = self.set(&words);
-        let (offset, across) = (self.offset(&run), self.along.perp());
-        let anchor = anchor.into();
-        let turned = |p: DVec2| anchor + self.along * (p.x + offset.x) + across * (p.y + offset.y);
-        Rect::around(run.ink?.corners().map(turned))
+        let run = self.set(&words.into());
+        Some(self.frame(&run)?.at(self, anchor.into()))
     }
 
     /// The height of capitals.
@@ -95,12 +91,18 @@ impl Text {
         CAP_HEIGHT * self.size
     }
 
-    /// From the anchor to where the baseline begins, in the frame of the line.
-    pub(super) fn offset(&self, run: &Run) -> DVec2 {
+    /// What is needed to know where `run` has its ink with any anchor.
+    pub(super) fn frame(&self, run: &Run) -> Option<Frame> {
+        let turned = |p: DVec2| self.along * p.x + self.along.perp() * p.y;
+        Some(Frame { advance: run.advance, ink: Rect::around(run.ink?.corners().map(turned))? })
+    }
+
+    /// From the anchor to where the baseline of a line that is `advance` long begins, in the frame of the line.
+    pub(super) fn offset(&self, advance: f64) -> DVec2 {
         let x = match self.align {
             Align::Start => 0.0,
-            Align::Middle => -run.advance / 2.0,
-            Align::End => -run.advance,
+            Align::Middle => -advance / 2.0,
+            Align::End => -advance,
         };
         let y = match self.level {
             Level::Baseline => 0.0,
@@ -137,6 +139,22 @@ impl Text {
             }
         }
         run
+    }
+}
+
+/// The room of a line that has been set, to be moved about without setting it again.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    advance: f64,
+    /// With the baseline beginning at the origin.
+    ink: Rect,
+}
+
+impl Frame {
+    /// Where the ink is with the anchoring of `text` at `anchor`.
+    pub(super) fn at(&self, text: &Text, anchor: DVec2) -> Rect {
+        let offset = text.offset(self.advance);
+        self.ink.moved(anchor + text.along * offset.x + text.along.perp() * offset.y)
     }
 }
 
