@@ -4,12 +4,21 @@
 //! One file a kind. A new kind is a file with a function `draw`, a variant of [`Kind`] and its row in [`Kind::row`].
 
 mod contact;
+mod formulas;
 mod frame;
 mod labels;
 mod ledger;
 mod numbers;
+mod plane;
 mod section;
+mod side;
+mod sketch;
+mod slabs;
+mod sphere;
+mod subject;
+mod surface;
 mod tree;
+mod triangle;
 
 use std::fmt;
 use std::str::FromStr;
@@ -26,10 +35,21 @@ pub use contact::contact_sheet;
 #[cfg(feature = "pictures")]
 pub(super) use frame::{elided, light};
 pub use numbers::{shown, shown_vector, tex};
+pub use subject::Chosen;
 
 /// What a diagram shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
+    /// The ray and a plane.
+    Plane,
+    /// The ray and a triangle.
+    Triangle,
+    /// The ray and a box.
+    Box,
+    /// The ray and a sphere.
+    Sphere,
+    /// What a surface does to the ray.
+    Surface,
     /// The scene cut along the ray, and the tree in it.
     Section,
     /// All rays of the pixel, and what each handed back.
@@ -47,10 +67,44 @@ struct Row {
 
 impl Kind {
     /// All of them, in the order in which a page shows them.
-    pub const ALL: [Kind; 3] = [Kind::Section, Kind::Tree, Kind::Ledger];
+    pub const ALL: [Kind; 8] = [
+        Kind::Plane,
+        Kind::Triangle,
+        Kind::Box,
+        Kind::Sphere,
+        Kind::Surface,
+        Kind::Section,
+        Kind::Tree,
+        Kind::Ledger,
+    ];
 
     fn row(self) -> Row {
         match self {
+            Self::Plane => Row {
+                name: "plane",
+                about: "where the ray meets a plane in Hesse normal form",
+                draw: plane::draw,
+            },
+            Self::Triangle => Row {
+                name: "triangle",
+                about: "where the ray meets a triangle, with the three inside tests",
+                draw: triangle::draw,
+            },
+            Self::Box => Row {
+                name: "box",
+                about: "when the ray is inside each slab of a box",
+                draw: slabs::draw,
+            },
+            Self::Sphere => Row {
+                name: "sphere",
+                about: "where the ray enters and leaves a sphere",
+                draw: sphere::draw,
+            },
+            Self::Surface => Row {
+                name: "surface",
+                about: "angles, Snell's law and Fresnel's split where the ray goes on",
+                draw: surface::draw,
+            },
             Self::Section => Row {
                 name: "section",
                 about: "the scene cut along the ray, with as much of the tree as lies in the cut",
@@ -113,6 +167,8 @@ pub struct Input<'a> {
     pub path: NodePath,
     /// That node.
     pub node: &'a RayNode,
+    /// The shape that a diagram of one test is about; nothing for what the node hits.
+    pub chosen: Option<Chosen>,
     /// The canvas at most, in user units; text keeps its size, so that less room means less of it.
     pub size: DVec2,
     /// Where the diagram stands.
@@ -138,7 +194,12 @@ impl<'a> Input<'a> {
     /// [`NoSuchNode`] where the tree has none there.
     pub fn new(scene: &'a Scene, tree: &'a RayTree, path: NodePath) -> Result<Self, NoSuchNode> {
         let node = path.find(tree)?;
-        Ok(Input { scene, tree, path, node, size: Self::ALONE, setting: Setting::Alone })
+        Ok(Input { scene, tree, path, node, chosen: None, size: Self::ALONE, setting: Setting::Alone })
+    }
+
+    /// The same about a shape that the ray was tested against, whether or not it is hit.
+    pub fn about(self, chosen: Chosen) -> Self {
+        Input { chosen: Some(chosen), ..self }
     }
 
     /// The same for a part of a page, of at most this size.
