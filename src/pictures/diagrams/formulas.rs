@@ -19,6 +19,7 @@ pub(super) struct Line {
 enum Look {
     Heading,
     Formula,
+    Sentence,
     /// A sentence after a check mark or a cross.
     Verdict(bool),
 }
@@ -39,7 +40,12 @@ impl Line {
         Line { needed: true, ..Line::formula(tex) }
     }
 
-    /// What came of it.
+    /// What came of it, in words.
+    pub(super) fn sentence(words: &str) -> Self {
+        Line { words: words.into(), look: Look::Sentence, needed: true }
+    }
+
+    /// What came of a test.
     pub(super) fn verdict((yes, words): (bool, Words)) -> Self {
         Line { words, look: Look::Verdict(yes), needed: true }
     }
@@ -49,7 +55,7 @@ impl Line {
         match self.look {
             Look::Heading => 0.84,
             Look::Formula => 1.0,
-            Look::Verdict(_) => 0.92,
+            Look::Sentence | Look::Verdict(_) => 0.92,
         }
     }
 
@@ -58,7 +64,7 @@ impl Line {
         match self.look {
             Look::Heading => text.color(theme.muted),
             Look::Formula => text,
-            Look::Verdict(_) => text.face(Face::Bold),
+            Look::Sentence | Look::Verdict(_) => text.face(Face::Bold),
         }
     }
 

@@ -101,14 +101,17 @@ fn heights(sketch: &mut Sketch<'_>, placed: &Placed, [distance, n_dot_o]: [f64; 
     let Ruler { origin, is_broken } = Ruler::new(placed, room, distance);
     let (ground, eye) = (placed.ground, placed.eye.y);
     let axis = room.min.x + 0.8 * width;
+    sketch.line(DVec2::new(axis, ground), DVec2::new(room.min.x + width, ground), sketch.guide());
     let purple = theme.hue(Hue::Purple);
     let pen = Pen::new(theme.axis, 1.2);
-    sketch.line(DVec2::new(axis, room.max.y), DVec2::new(axis, room.min.y), pen);
+    let [low, high] = [origin.max(ground).max(eye), origin.min(ground).min(eye)];
+    let (low, high) = ((low + 34.0).min(room.max.y), (high - 40.0).max(room.min.y));
+    sketch.arrow(DVec2::new(axis, low), DVec2::new(axis, high), pen);
     let guide = sketch.guide();
-    sketch.faint(DVec2::new(axis, eye), placed.eye, guide);
+    sketch.line(DVec2::new(axis, eye), placed.eye, guide);
     if (origin - ground).abs() > 3.0 {
         let end = DVec2::new(room.min.x + width + 40.0, origin);
-        sketch.faint(DVec2::new(axis, origin), end, guide);
+        sketch.line(DVec2::new(axis, origin), end, guide);
     }
     let level = |y: f64| DVec2::new(axis, y);
     for y in [ground, eye] {

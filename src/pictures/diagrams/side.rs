@@ -60,7 +60,11 @@ impl Placed {
         let size = room.size();
         let width = side.t.map_or(0.0, |t| (t * side.across).abs());
         let height = side.height.abs();
-        let most = DVec2::new(0.6 * size.x, 0.5 * size.y);
+        // Below the plane there is room for its name, above the origin of the ray for that of the ray.
+        let below = (0.27 * size.y).min(76.0);
+        let above = (0.45 * size.y).min(90.0);
+        let free = if side.height >= 0.0 { below + (0.2 * size.y).min(44.0) } else { above + (0.2 * size.y).min(44.0) };
+        let most = DVec2::new(0.7 * size.x, size.y - free);
         // Where there is neither width nor height any scale is right.
         let ratio = |room: f64, span: f64| if span > 0.0 { room / span } else { f64::INFINITY };
         let even = ratio(most.x, width).min(ratio(most.y, height));
@@ -68,7 +72,10 @@ impl Placed {
         let is_stretched = height > 0.0 && height * even < LEAST.min(most.y);
         let up = if is_stretched { LEAST.min(most.y) / height } else { even };
         let scale = DVec2::new(even, up);
-        let ground = if side.height >= 0.0 { room.max.y - 0.27 * size.y } else { room.min.y + 0.32 * size.y };
+        // What is not needed is left free above and below alike.
+        let spare = 0.45 * (most.y - height * up).max(0.0);
+        let ground =
+            if side.height >= 0.0 { room.max.y - below - spare } else { room.min.y + above + spare };
         let backward = side.t.is_some_and(|t| t < 0.0);
         let wide = width * even;
         let left = room.min.x + (0.45 * (size.x - wide)).max(0.0);

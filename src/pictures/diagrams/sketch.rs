@@ -117,6 +117,11 @@ impl<'a> Sketch<'a> {
         }
     }
 
+    /// Names a place that is no point, so that no line leads to it.
+    pub(super) fn name_without_line(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
+        self.want(words.into(), color, around(at, 6.0), None);
+    }
+
     /// Names what lies along the line from `a` to `b`, of what is seen of it.
     pub(super) fn beside(&mut self, a: DVec2, b: DVec2, words: impl Into<Words>, color: Color) {
         let Some((a, b)) = self.cut(a, b) else { return };

@@ -101,15 +101,18 @@ fn degrees(angle: f64) -> String {
 
 fn picture(drawing: &mut Drawing, room: Rect, incidence: &Incidence<'_>, theme: &Theme) {
     let Incidence { node, first, .. } = *incidence;
-    let at = DVec2::new(room.center().x, room.min.y + 0.52 * room.size().y);
-    let reach = (0.46 * room.size().y).min(0.47 * room.size().x);
+    // Below a surface that nothing passes there is nothing to be seen.
+    let share = if incidence.is_opaque { 0.84 } else { 0.52 };
+    let at = DVec2::new(room.center().x, room.min.y + share * room.size().y);
+    let reach = ((share - 0.06) * room.size().y).min(0.47 * room.size().x);
     ground(drawing, room, at, incidence, theme);
     let mut sketch = Sketch::new(drawing, room, theme);
     let edge = |x: f64| DVec2::new(x, at.y);
     sketch.line(edge(room.min.x), edge(room.max.x), Pen::new(theme.ink, 1.8));
     let purple = theme.hue(Hue::Purple);
     let guide = sketch.guide();
-    sketch.faint(at, at + DVec2::new(0.0, 0.92 * reach), guide);
+    let below = DVec2::new(at.x, (at.y + 0.92 * reach).min(room.max.y - 4.0));
+    sketch.line(at, below, guide);
     sketch.arrow(at, at - DVec2::new(0.0, 0.92 * reach), Pen::new(purple, 2.0));
     sketch.name_in(at - DVec2::new(0.0, 0.92 * reach), Words::default().tex(r"\mathbf{n}"), purple);
     if let Some(tilt) = incidence.tilt {
@@ -123,7 +126,7 @@ fn picture(drawing: &mut Drawing, room: Rect, incidence: &Incidence<'_>, theme: 
         let words = Words::default().tex(r"\theta_c");
         let middle = sketch.drawing.angle(at, DVec2::NEG_Y, way, 0.7 * reach, Pen::new(theme.muted, 1.3));
         sketch.keep_off_arc(at, DVec2::NEG_Y, way, 0.7 * reach);
-        sketch.name_in(middle, words, theme.muted);
+        sketch.name_without_line(middle, words, theme.muted);
     }
     let pen = theme.ray(node.kind, 3.0);
     let from = turned(-first, 1.0);
@@ -159,7 +162,7 @@ fn ground(drawing: &mut Drawing, room: Rect, at: DVec2, incidence: &Incidence<'_
     }
     let Some([incident, transmitted]) = incidence.ior else { return };
     let denser = if incident > transmitted { upper } else { lower };
-    if incident != transmitted {
+    if incident != transmitted && !incidence.is_opaque {
         drawing.fill(Path::rect(denser), theme.hue(Hue::Sky).fade(0.13));
     }
     let text = Text::new(14.0, theme.ink).anchor(Align::End, Level::Baseline);
@@ -175,7 +178,7 @@ fn arc(sketch: &mut Sketch<'_>, at: DVec2, up: DVec2, way: DVec2, radius: f64, w
     let (letter, angle) = what;
     let middle = sketch.drawing.angle(at, up, way, radius, Pen::new(color, 1.4));
     sketch.keep_off_arc(at, up, way, radius);
-    sketch.name_in(middle, Words::default().tex(&format!("{letter} = {}", degrees(angle))), color);
+    sketch.name_without_line(middle, Words::default().tex(&format!("{letter} = {}", degrees(angle))), color);
 }
 
 /// How the light is split: a bar each.
@@ -185,20 +188,23 @@ fn split(drawing: &mut Drawing, room: Rect, node: &RayNode, theme: &Theme) {
         let (own, parent) = (child.weight.map(largest)?, node.weight.map(largest)?);
         (parent > 0.0).then(|| own / parent)
     };
+    let passes = node.refracted.is_some() || node.total_reflection;
+    let second = if passes { "refracted" } else { "not reflected" };
     let rows = [
-        (RayKind::Reflected, node.reflected.as_deref(), node.fresnel, "R"),
-        (RayKind::Refracted, node.refracted.as_deref(), node.fresnel.map(|r| 1.0 - r), "1 - R"),
+        ("reflected", RayKind::Reflected, node.reflected.as_deref(), node.fresnel, "R"),
+        (second, RayKind::Refracted, node.refracted.as_deref(), node.fresnel.map(|r| 1.0 - r), "1 - R"),
     ];
+    let count = if passes || node.fresnel.is_some() { 2 } else { 1 };
     let text = Text::new(12.0, theme.ink).anchor(Align::Start, Level::Middle);
-    let names = 74.0;
+    let names = 86.0;
     let values = 0.44 * room.size().x;
     let full = room.size().x - names - values - 12.0;
     let caption = if node.fresnel.is_some() { "Fresnel's split of the light" } else { "how the light is split" };
     drawing.text(room.min + DVec2::new(0.0, 9.0), caption, text.face(Face::Bold).anchor(Align::Start, Level::Baseline));
-    for (i, (kind, child, fresnel, letters)) in rows.into_iter().enumerate() {
+    for (i, (name, kind, child, fresnel, letters)) in rows.into_iter().take(count).enumerate() {
         let y = room.min.y + 30.0 + 24.0 * i as f64;
-        let color = theme.ray(kind, 1.0).color;
-        drawing.text((room.min.x, y), frame::kind_name(kind), text.color(color));
+        let color = if i == 1 && !passes { theme.muted } else { theme.ray(kind, 1.0).color };
+        drawing.text((room.min.x, y), name, text.color(color));
         let bar = Rect::new((room.min.x + names, y - 7.0), (full, 14.0));
         drawing.fill(Path::rect(bar), theme.panel);
         let part = fresnel.or_else(|| child.and_then(share)).unwrap_or(0.0).clamp(0.0, 1.0);
@@ -250,7 +256,13 @@ fn lines(incidence: &Incidence<'_>) -> Vec<Line> {
     if node.total_reflection {
         let sine = incident / transmitted * libm::sin(first);
         let form = r"\sin\theta_2 = \frac{n_1}{n_2}\,\sin\theta_1";
-        lines.push(Line::result(&format!("{form} = {} > 1", tex(sine))));
+        let value = match tex(sine) {
+            // So little more than 1 that it does not show, or that only exact arithmetic can tell.
+            one if one == "1" && sine > 1.0 => format!("1 + {}", tex(sine - 1.0)),
+            one if one == "1" || sine < 1.0 => r"1 + \varepsilon".to_owned(),
+            value => value,
+        };
+        lines.push(Line::result(&format!("{form} = {value} > 1")));
     }
     if let Some(critical) = incidence.critical() {
         lines.push(Line::heading("the critical angle"));
@@ -264,6 +276,6 @@ fn lines(incidence: &Incidence<'_>) -> Vec<Line> {
         lines.push(Line::result(&format!("R = {}", tex(r))));
     }
     let words = if node.total_reflection { "total reflection" } else { "light passes" };
-    lines.push(Line::verdict((!node.total_reflection, words.into())));
+    lines.push(Line::sentence(words));
     lines
 }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::{FACES, LETTERS, Slabs, color, face_tex, recorded};
+use crate::pictures::diagrams::frame::elided;
 use crate::pictures::diagrams::numbers::tex;
 use crate::pictures::diagrams::sketch::Sketch;
 use crate::pictures::diagrams::subject::Subject;
@@ -71,7 +72,9 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
     let mut sketch = Sketch::new(drawing, room, theme);
     let axis = Pen::new(theme.axis, 1.2);
     sketch.arrow(DVec2::new(window.left, bottom), DVec2::new(window.right + 4.0, bottom), axis);
-    if window.shows(0.0) {
+    // The number 0 would stand on that of an end that is there.
+    let is_clear = |t: f64| !t.is_finite() || (window.x(t) - window.x(0.0)).abs() > 16.0;
+    if window.shows(0.0) && is_clear(t_in) && is_clear(t_out) {
         let x = window.x(0.0);
         sketch.faint(DVec2::new(x, room.min.y), DVec2::new(x, bottom), sketch.guide());
         sketch.line(DVec2::new(x, bottom - 4.0), DVec2::new(x, bottom + 4.0), axis);
@@ -79,8 +82,19 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
         let places = [Align::Middle, Align::End, Align::Start].map(place).to_vec();
         sketch.want(Words::default().tex("0"), theme.muted, places, None);
     }
-    let ends = [(false, t_in, r"t_{\mathrm{in}}"), (true, t_out, r"t_{\mathrm{out}}")];
-    for (leaving, t, letters) in ends {
+    let name = |words| Words::default().tex(words);
+    let at_end = |dx: f64, align| Placement {
+        of: None,
+        at: DVec2::new(window.right + dx, bottom + 7.0),
+        align,
+        level: Level::Top,
+    };
+    sketch.want(name("t"), theme.muted, vec![at_end(0.0, Align::End), at_end(-30.0, Align::End)], None);
+    let is_one = t_in == t_out && recorded(subject, false) == recorded(subject, true);
+    let both = r"t_{\mathrm{in}} = t_{\mathrm{out}}";
+    let t_in_letters = if is_one { both } else { r"t_{\mathrm{in}}" };
+    let ends = [(false, t_in, t_in_letters), (true, t_out, r"t_{\mathrm{out}}")];
+    for (leaving, t, letters) in ends.into_iter().take(if is_one { 1 } else { 2 }) {
         if !t.is_finite() {
             continue;
         }
@@ -166,7 +180,8 @@ fn bar(
     let hue = color(axis, theme);
     if from > to {
         let text = Text::new(12.0, theme.muted).anchor(Align::Middle, Level::Middle);
-        drawing.text(((window.left + window.right) / 2.0, y), "the ray runs beside this slab", text);
+        let words = elided("the ray runs beside this slab", &text, window.right - window.left);
+        drawing.text(((window.left + window.right) / 2.0, y), words, text);
         return;
     }
     if to < window.low || window.high < from {

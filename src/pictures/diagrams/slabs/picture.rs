@@ -109,7 +109,8 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
         sketch.dot(eye, theme.ink);
         sketch.name(eye, Words::default().tex(r"\mathbf{o}"));
     }
-    crossings(&mut sketch, slabs, &frame);
+    let from = if sees_eye { None } else { through(&sketch, eye, along, reach).map(|(a, _)| a) };
+    crossings(&mut sketch, slabs, &frame, from);
     if let Some(hit) = subject.hit {
         let p = frame.at(DVec2::new(hit.point[frame.axes[0]], hit.point[frame.axes[1]]));
         if sketch.sees(p) {
@@ -187,8 +188,9 @@ fn side_name(sketch: &mut Sketch<'_>, axis: usize, k: usize, side: DVec2, value:
     sketch.want(words, hue, places, None);
 }
 
-/// The six places where the ray crosses the sides of a slab, as far as they are seen.
-fn crossings(sketch: &mut Sketch<'_>, slabs: &Slabs, frame: &Frame) {
+/// The six places where the ray crosses the sides of a slab, as far as they are seen and do not stand in the break after
+/// `from`.
+fn crossings(sketch: &mut Sketch<'_>, slabs: &Slabs, frame: &Frame, from: Option<DVec2>) {
     let theme = sketch.theme;
     if frame.along(slabs) == DVec2::ZERO {
         return;
@@ -199,7 +201,7 @@ fn crossings(sketch: &mut Sketch<'_>, slabs: &Slabs, frame: &Frame) {
                 continue;
             };
             let at = frame.crossing(slabs, t);
-            if !sketch.sees(at) {
+            if !sketch.sees(at) || from.is_some_and(|from| at.distance(from) < 32.0) {
                 continue;
             }
             let decides = (leaving && axis == slabs.exit) || (!leaving && axis == slabs.entry);

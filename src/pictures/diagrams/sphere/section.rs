@@ -33,7 +33,7 @@ impl Frame {
         // Along the ray, from the foot.
         let eye = -cut.foot;
         let (near, far) = (-1.25 * r, 1.25 * r);
-        let reach = 1.6 * r + 0.3 * cut.away;
+        let reach = 2.3 * r + 0.3 * cut.away;
         let (eye, is_broken) = match eye {
             e if e < near - reach => (near - 0.9 * r, true),
             e if e > far + reach => (far + 0.9 * r, true),
@@ -98,7 +98,7 @@ pub(super) fn draw(
     if frame.is_broken {
         let right = frame.eye.x > frame.foot.x;
         let edge = center.x + if right { radius } else { -radius };
-        let at = DVec2::new((frame.eye.x + edge) / 2.0, frame.eye.y);
+        let at = DVec2::new(frame.eye.x + 0.3 * (edge - frame.eye.x), frame.eye.y);
         sketch.broken(at - DVec2::X, at + DVec2::X, theme.axis);
     }
     lines(&mut sketch, cut, frame, subject, roots);
@@ -127,12 +127,9 @@ fn lines(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'_
         sketch.drawing.right_angle(foot, DVec2::X, DVec2::Y, 8.0, Pen::new(theme.axis, 1.1));
     }
     let Some([near, far]) = roots else {
-        // The radius, towards the ray, and what is missing.
+        // What is missing.
         let top = center - DVec2::new(0.0, cut.radius * frame.scale);
-        if center.distance(top) > 10.0 {
-            sketch.line(center, top, Pen::new(theme.muted, 1.3).dashed(Dash::Short));
-            sketch.beside(center, top, Words::default().tex("r"), theme.muted);
-        }
+        radius_to(sketch, center, center + cut.radius * frame.scale * DVec2::splat(std::f64::consts::FRAC_1_SQRT_2));
         if foot.distance(top) > 10.0 {
             let red = theme.hue(Hue::Vermilion);
             let [p, q] = sketch.drawing.dimension(foot, top, 14.0, Pen::new(red, 1.6));
@@ -149,9 +146,18 @@ fn lines(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'_
         };
         sketch.length(foot, far, 12.0, Words::default().tex(half), green);
     }
-    if center.distance(near) > 30.0 && foot.distance(center) > 6.0 {
-        sketch.line(center, near, Pen::new(theme.muted, 1.3).dashed(Dash::Short));
-        sketch.beside(center, near, Words::default().tex("r"), theme.muted);
+    // Where it would lie on the perpendicular or on the ray it is drawn elsewhere.
+    let is_clear = near.distance(foot) > 34.0 && foot.distance(center) > 20.0;
+    let elsewhere = center + cut.radius * frame.scale * DVec2::splat(std::f64::consts::FRAC_1_SQRT_2);
+    radius_to(sketch, center, if is_clear { near } else { elsewhere });
+}
+
+/// Draws the radius to a point of the circle, where it is long enough.
+fn radius_to(sketch: &mut Sketch<'_>, center: DVec2, rim: DVec2) {
+    if center.distance(rim) > 12.0 {
+        let muted = sketch.theme.muted;
+        sketch.line(center, rim, Pen::new(muted, 1.3).dashed(Dash::Short));
+        sketch.beside(center, rim, Words::default().tex("r"), muted);
     }
 }
 
@@ -163,6 +169,16 @@ fn points(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'
         sketch.disk(frame.foot, 3.0, theme.muted);
         return;
     };
+    let values = named.map(|(key, _)| subject.number(key));
+    if let [Some(t_in), Some(t_out)] = values
+        && t_in == t_out
+    {
+        let color = theme.ray(subject.node.kind, 1.0).color;
+        sketch.dot(roots[0], color);
+        let words = format!("{} = {} = {}", named[0].1, named[1].1, tex(t_in));
+        sketch.name_in(roots[0], Words::default().tex(&words), color);
+        return;
+    }
     for (i, (key, letter)) in named.into_iter().enumerate() {
         let color = if cut.taken == Some(i) { theme.ray(subject.node.kind, 1.0).color } else { theme.muted };
         let Some(t) = subject.number(key).or(subject.t().filter(|_| cut.taken == Some(i))) else { continue };

@@ -71,7 +71,6 @@ pub(super) fn draw(
     };
     let ring = Pen::new(theme.hue(Hue::Amber), 1.6);
     drawing.stroke(Path::circle(place, 11.0), ring);
-    drawing.line(place + DVec2::new(0.0, 11.0), DVec2::new(place.x.clamp(room.min.x, room.max.x), room.min.y), ring);
 
     drawing.fill(Path::rect(room), theme.background);
     let arc = arc(cut.radius, scale, anchor, out, size.length());
@@ -103,7 +102,7 @@ fn points(sketch: &mut Sketch<'_>, cut: &Cut, zoom: Zoom, line: f64, anchor: DVe
         let text = crate::pictures::drawing::Text::new(12.0, theme.muted);
         sketch.drawing.text(room.min + DVec2::new(6.0, 15.0), words, text);
     };
-    caption(sketch, "magnified");
+    caption(sketch, "what is in the ring, magnified");
     let in_out = [r"t_{\mathrm{in}}", r"t_{\mathrm{out}}"];
     let roots = cut.roots.unwrap_or_default();
     match zoom {

@@ -111,13 +111,15 @@ pub(super) fn draw(
     let pen = theme.ray(subject.node.kind, 1.0);
     if let Some(p) = view.point {
         for corner in v {
-            sketch.faint(p, corner, Pen::new(theme.ink, 1.2).dashed(Dash::Short));
+            sketch.line(p, corner, Pen::new(theme.ink, 1.2).dashed(Dash::Short));
         }
         sketch.dot(p, pen.color);
         sketch.name_in(p, Words::default().tex(r"\mathbf{p}"), pen.color);
         shares(&mut sketch, view, p, weights, is_inside);
     }
     if let Some([from, to]) = view.exit {
+        let center = (v[0] + v[1] + v[2]) / 3.0;
+        sketch.faint(center, from, sketch.guide());
         sketch.broken(from - (to - from).normalize_or_zero() * 14.0, from, theme.axis);
         sketch.arrow(from, to, Pen::new(pen.color, 2.2));
         sketch.name_in(to, Words::from("to ").tex(r"\mathbf{p}"), pen.color);
@@ -183,16 +185,12 @@ fn edges(sketch: &mut Sketch<'_>, view: &View, subject: &Subject<'_>) {
 fn shares(sketch: &mut Sketch<'_>, view: &View, p: DVec2, weights: Option<[f64; 3]>, is_inside: bool) {
     let Some(weights) = weights else { return };
     let v = view.corners;
-    let colors = colors(sketch.theme);
     for k in 0..3 {
         let letter = ["a", "b", "1-a-b"][k];
         let words = Words::default().tex(&format!("{letter} = {}", tex(weights[k])));
         let (next, last) = (v[(k + 1) % 3], v[(k + 2) % 3]);
         let middle = (p + next + last) / 3.0;
-        if is_inside {
-            sketch.in_area(middle, words, colors[k]);
-        } else {
-            sketch.in_area(v[k].lerp(p, 0.3), words, colors[k]);
-        }
+        let at = if is_inside { middle } else { v[k].lerp(p, 0.3) };
+        sketch.in_area(at, words, sketch.theme.ink);
     }
 }
