@@ -58,7 +58,7 @@ impl Plan {
         seed: 1,
         triangles: 28_000,
         spheres: 9_000,
-        boxes: 6_000,
+        boxes: 7_000,
         planes: 5_000,
         crossings: 6_000,
         refereed_one_in: 100,
@@ -78,7 +78,7 @@ impl Plan {
     pub const USUAL: Self = Self {
         triangles: 1_400_000,
         spheres: 450_000,
-        boxes: 300_000,
+        boxes: 350_000,
         planes: 250_000,
         crossings: 300_000,
         values: 2_000,

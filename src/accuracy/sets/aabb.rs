@@ -18,13 +18,16 @@ pub enum BoxSet {
     Corner,
     /// The ray in the plane of a face or along an edge, components of the direction 0 or -0.
     InFace,
+    /// Any of [`box_lattice`].
+    Lattice,
     /// Every coordinate with its own exponent, up to 126; aimed at corners.
     Exponents126,
 }
 
 impl BoxSet {
     /// All of them, the easy ones first.
-    pub const ALL: [Self; 6] = [Self::Random, Self::OnFace, Self::Edge, Self::Corner, Self::InFace, Self::Exponents126];
+    pub const ALL: [Self; 7] =
+        [Self::Random, Self::OnFace, Self::Edge, Self::Corner, Self::InFace, Self::Lattice, Self::Exponents126];
 
     /// What it is called in tables.
     pub fn name(self) -> &'static str {
@@ -34,6 +37,7 @@ impl BoxSet {
             Self::Edge => "aimed at edges",
             Self::Corner => "aimed at corners",
             Self::InFace => "in the plane of a face",
+            Self::Lattice => "small-integer lattice",
             Self::Exponents126 => "exponents to 126",
         }
     }
@@ -44,6 +48,12 @@ impl BoxSet {
     }
 
     fn draw<R: Real>(self, g: &mut Random) -> Option<(Ray<R>, Aabb<R>)> {
+        if self == Self::Lattice {
+            let o = g.vector(|g| g.below(5) as f64 - 2.0);
+            let d = g.vector(|g| [-1.0, -0.0, 0.0, 1.0][g.below(4)]);
+            let max = stored::<R>(DVec3::from_array(LATTICE_CORNERS[g.below(3)]));
+            return Some((ray(o, d)?, Aabb { min: -max, max }));
+        }
         let mut corner = || match self {
             Self::Exponents126 => rounded::<R>(g.wild_vector(126)),
             _ => rounded::<R>(g.point(1.0)),
@@ -84,16 +94,18 @@ impl BoxSet {
     }
 }
 
+/// The upper corners of the lattice's boxes; the lower ones lie opposite.
+const LATTICE_CORNERS: [[f64; 3]; 3] = [[1.0, 1.0, 1.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]];
+
 /// Origins {-2..2}^3, directions {-1, -0, 0, 1}^3 but those of length 0, and three boxes: [-1, 1]^3, [-1, 1]^2 x {0} and
 /// {0}. 21,000 cases that part the slab codes.
 pub fn box_lattice<R: Real>() -> impl Iterator<Item = (Ray<R>, Aabb<R>)> {
     let triples = |values: &'static [f64]| {
         values.iter().flat_map(move |&x| values.iter().flat_map(move |&y| values.iter().map(move |&z| [x, y, z])))
     };
-    let corners = [[1.0, 1.0, 1.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]];
     triples(&[-2.0, -1.0, 0.0, 1.0, 2.0]).flat_map(move |origin| {
         triples(&[-1.0, -0.0, 0.0, 1.0]).filter(|d| *d != [0.0; 3]).flat_map(move |direction| {
-            corners.map(|max| {
+            LATTICE_CORNERS.map(|max| {
                 let ray = Ray { origin: R::Vec3::from_f64(origin), direction: R::Vec3::from_f64(direction) };
                 (ray, Aabb { min: R::Vec3::from_f64(max.map(|x: f64| -x)), max: R::Vec3::from_f64(max) })
             })
