@@ -1,4 +1,4 @@
-//! How long diagrams and pages take beside the render: made, and written as PNG at two pixels a unit; medians and the slowest.
+//! How long diagrams and pages take beside the render: made, and written as PNG as the commands do; medians and the slowest.
 //!
 //! `cargo bench --bench diagrams`
 
@@ -24,8 +24,8 @@ const SCENES: [&str; 8] = [
     "hard/mirrored-cube",
     "hard/giant-ground-sphere",
 ];
-/// The pixels of a PNG for each unit.
-const SCALE: f64 = 2.0;
+/// The pixels of a PNG for each unit: what the commands take unless told otherwise.
+const SCALE: f64 = 1.5;
 
 fn main() {
     println!("milliseconds: median (slowest)\n");

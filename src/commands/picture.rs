@@ -16,7 +16,7 @@ pub(super) struct LookArgs {
     #[arg(long)]
     dark: bool,
     /// Pixels of a PNG for each unit of the drawing, 0.5 to 8
-    #[arg(long, value_name = "N", default_value = "2", allow_negative_numbers = true, value_parser = scales)]
+    #[arg(long, value_name = "N", default_value = "1.5", allow_negative_numbers = true, value_parser = scales)]
     pub(super) scale: f64,
 }
 

@@ -90,6 +90,8 @@ fn numbers_in(text: &str) -> Vec<String> {
 fn without_own_numbers(kind: Kind, labels: &[&str], i: usize) -> String {
     let label = labels[i];
     match kind {
+        // Read back in `first_hit.rs`, formulas and all.
+        Kind::Plane | Kind::Triangle | Kind::Box | Kind::Sphere | Kind::Surface => String::new(),
         Kind::Section if label.starts_with("length ") => String::new(),
         Kind::Section => label.split_once(", ").map_or(label, |(ray, _)| ray).to_owned(),
         Kind::Ledger => {

@@ -48,7 +48,7 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
 
     let room = Rect { min: room.min + DVec2::new(0.0, HEAD), ..room };
     let is_narrow = room.size().x < 640.0;
-    let (names, values) = if is_narrow { (190.0, 183.0) } else { (NAMES, VALUES) };
+    let (names, values) = if is_narrow { (206.0, 183.0) } else { (NAMES, VALUES) };
     let area = Rect {
         min: DVec2::new(room.min.x + names, room.min.y),
         max: DVec2::new(room.max.x - values, room.min.y + ROW * (rows.len() + 1) as f64),
@@ -67,6 +67,8 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
             Text::new(SMALL, theme.muted).anchor(Align::End, Level::Baseline),
         );
     }
+    let head = Text::new(SMALL, theme.muted).anchor(Align::End, Level::Baseline);
+    drawing.text((area.min.x - 9.0, room.min.y - 6.0), "ray", head);
     let name = Text::new(SMALL, theme.ink).anchor(Align::Start, Level::Middle);
     let mut before = 0.0;
     let last = Row { words: ["the pixel".to_owned(), String::new()], share: ledger.color };
@@ -137,7 +139,7 @@ fn rows(input: &Input<'_>, ledger: &Ledger, most: usize) -> Vec<Row> {
             Some(object) => format!("{}, {object}", printable(&entry.term)),
             None => printable(&entry.term).into_owned(),
         };
-        Row { words: [term, format!("ray {}", number(entry))], share: entry.share }
+        Row { words: [term, number(entry).to_string()], share: entry.share }
     };
     let mut rows: Vec<Row> = order.iter().map(row).collect();
     if !rest.is_empty() {

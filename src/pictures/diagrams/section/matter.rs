@@ -20,7 +20,7 @@ pub(super) enum Matter {
 /// A circle larger than this on the canvas is drawn as the arc that is seen.
 const LARGEST_CIRCLE: f64 = 3000.0;
 
-/// Draws a cut, and returns places on its outline and in its middle that are seen, for its name.
+/// Draws a cut, which the caller has to clip to the frame, and returns places on its outline and in its middle that are seen, for its name.
 pub(super) fn draw(
     drawing: &mut Drawing,
     window: &Window,
@@ -87,10 +87,8 @@ fn circle(
         (points.clone(), Path::polygon(points.into_iter().chain([last - deep, first - deep])))
     };
     let frame = window.frame;
-    drawing.clipped(Path::rect(frame), |drawing| {
-        drawing.fill(inside.clone(), fill);
-        drawing.stroke(if r <= LARGEST_CIRCLE { inside } else { Path::open(outline.iter().copied()) }, line);
-    });
+    drawing.fill(inside.clone(), fill);
+    drawing.stroke(if r <= LARGEST_CIRCLE { inside } else { Path::open(outline.iter().copied()) }, line);
     outline.windows(2).for_each(|ends| taken.take_line(ends[0], ends[1]));
     let shown = |p: &DVec2| frame.grown(-6.0).contains(Rect { min: *p, max: *p });
     // Of a large circle the name stands inside along the upper arc, where it is clear of circles within.
@@ -126,10 +124,8 @@ fn area(
         seen.extend(Rect::around(ring.iter().copied()).map(|bounds| bounds.center()));
         seen.extend(ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.lerp(*b, 0.5)));
     }
-    drawing.clipped(Path::rect(window.frame), |drawing| {
-        drawing.fill(path.clone(), fill);
-        drawing.stroke(path, line);
-    });
+    drawing.fill(path.clone(), fill);
+    drawing.stroke(path, line);
     let frame = window.frame.grown(-4.0);
     seen.retain(|p| frame.contains(Rect { min: *p, max: *p }));
     seen
@@ -155,10 +151,8 @@ fn ground(
         return Vec::new();
     }
     let Some((a, b)) = window.frame.clip(foot - reach * along, foot + reach * along) else { return Vec::new() };
-    drawing.clipped(Path::rect(window.frame), |drawing| {
-        drawing.ground(foot - reach * along, foot + reach * along, 13.0, Pen { width: 0.9, ..line });
-        drawing.line(a, b, line);
-    });
+    drawing.ground(foot - reach * along, foot + reach * along, 13.0, Pen { width: 0.9, ..line });
+    drawing.line(a, b, line);
     taken.take_line(a, b);
     let into = 6.0 * -outward;
     taken.take_line(a + into, b + into);

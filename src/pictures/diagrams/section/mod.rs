@@ -50,11 +50,14 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
     let window = Window::choose(area, &plane, &rays, &sizes);
     let mut taken = Taken::new(&drawing, area.grown(-3.0));
     let mut names = Vec::new();
-    for (id, cut) in &cuts {
-        let matter = if scene.is_medium(*id) { Matter::Medium } else { Matter::Opaque };
-        let places = matter::draw(&mut drawing, &window, cut, matter, &mut taken, theme);
-        names.push((*id, places));
-    }
+    // All within one clip: each costs a mask as large as the picture.
+    drawing.clipped(Path::rect(area), |drawing| {
+        for (id, cut) in &cuts {
+            let matter = if scene.is_medium(*id) { Matter::Medium } else { Matter::Opaque };
+            let places = matter::draw(drawing, &window, cut, matter, &mut taken, theme);
+            names.push((*id, places));
+        }
+    });
     // A shape that the plane does not cut is named where it was hit.
     for ray in &rays {
         let Some(hit) = ray.node.hit.as_ref().filter(|hit| (hit.shape as usize) < scene.objects.len()) else {
