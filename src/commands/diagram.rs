@@ -5,8 +5,9 @@ use super::files;
 use super::options::{TraceArgs, find_pixel};
 use super::output::Target;
 use super::picture::{Format, LookArgs, record};
-use crate::input::Problem;
-use crate::pictures::diagrams::{Input, Kind, diagram};
+use crate::input::{Problem, nearest, one_of, printable};
+use crate::pictures::diagrams::{Chosen, Input, Kind, diagram};
+use crate::scene::Scene;
 use crate::tree::NodePath;
 
 /// Draws what a ray of a pixel did: PNG or SVG
@@ -23,6 +24,9 @@ pub(super) struct Args {
     /// The ray that it is about: reflected.refracted, shadows[0] [default: root, the camera ray]
     #[arg(long, value_name = "PATH", default_value = "root", hide_default_value = true)]
     node: String,
+    /// A shape that the ray was tested against, by name, of a mesh with a triangle: gem:17 [default: what the ray hits]
+    #[arg(long, value_name = "NAME")]
+    shape: Option<String>,
     /// Where to: a path ending in .png or .svg
     #[arg(short, long, value_name = "FILE")]
     output: String,
@@ -38,7 +42,8 @@ fn kinds() -> String {
     format!(
         "Kinds:\n{lines}\nExamples:
   raytree diagram scenes/whitted.json \"glass edge\" --kind tree -o tree.svg
-  raytree diagram scenes/whitted.json \"glass edge\" --kind section --node refracted -o section.png --dark"
+  raytree diagram scenes/whitted.json \"glass edge\" --kind section --node refracted -o section.png --dark
+  raytree diagram scenes/triangle.json \"just outside\" --kind triangle --shape triangle -o miss.png"
     )
 }
 
@@ -53,12 +58,32 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (pixel, _) = find_pixel(&loaded.scene, &args.pixel)?;
     let tree = record(&loaded, &args.trace, pixel)?;
     let input = Input::new(&loaded.scene, &tree, path).map_err(no_node)?;
+    let input = match &args.shape {
+        Some(word) => input.about(find_shape(&loaded.scene, word)?),
+        None => input,
+    };
     let drawing = diagram(kind, &input, args.look.theme()).map_err(|not| {
         let others = Kind::ALL.into_iter().filter(|kind| diagram(*kind, &input, args.look.theme()).is_ok());
-        let help = format!("of this ray there is {}", crate::input::one_of(others.map(Kind::name)));
+        let help = format!("of this ray there is {}", one_of(others.map(Kind::name)));
         Failure::Input(Problem::new("--kind", format!("this ray has no {kind} diagram: {}", not.why), help))
     })?;
     target.write_all(&format.encode(&drawing, args.look.scale)?)
+}
+
+/// The shape that a name stands for, or a name, a colon and the number of a mesh's triangle.
+fn find_shape(scene: &Scene, word: &str) -> Result<Chosen, Failure> {
+    let place = |name: &str| scene.objects.iter().position(|object| object.name == name);
+    let of_mesh = || {
+        let (name, number) = word.rsplit_once(':')?;
+        Some(Chosen { shape: place(name)? as u32, primitive: Some(number.parse().ok()?) })
+    };
+    let whole = place(word).map(|i| Chosen { shape: i as u32, primitive: None });
+    whole.or_else(of_mesh).ok_or_else(|| {
+        let names = || scene.objects.iter().map(|object| object.name.as_str());
+        let near = nearest(word, names()).map_or(String::new(), |near| format!("did you mean `{near}`? "));
+        let message = format!("the scene has no shape `{}`", printable(word));
+        Failure::Input(Problem::new("--shape", message, format!("{near}{}", one_of(names()))))
+    })
 }
 
 fn no_node(no: crate::tree::NoSuchNode) -> Failure {

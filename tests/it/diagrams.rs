@@ -17,7 +17,7 @@ use crate::commands::{bad, good};
 use crate::drawing::difference_to_resvg;
 use crate::support::{scenes, tracer, tree};
 
-fn tree_of(loaded: &Loaded, pixel: [u32; 2]) -> RayTree {
+pub(crate) fn tree_of(loaded: &Loaded, pixel: [u32; 2]) -> RayTree {
     match loaded.scene.precision {
         Some(Precision::F32) => tree(&tracer::<f32>(&loaded.scene), loaded, pixel, Keep::Steps),
         _ => tree(&tracer::<f64>(&loaded.scene), loaded, pixel, Keep::Steps),
@@ -38,7 +38,7 @@ fn input<'a>(loaded: &'a Loaded, tree: &'a RayTree) -> Input<'a> {
 }
 
 /// A drawing has a picture, its labels stay on the canvas and off each other.
-fn check_labels(what: &str, drawing: &Drawing) {
+pub(crate) fn check_labels(what: &str, drawing: &Drawing) {
     assert!(!drawing.labels().is_empty(), "{what}");
     for (i, label) in drawing.labels().iter().enumerate() {
         assert!(drawing.canvas().contains(label.rect), "{what}: {label:?} leaves the canvas");
@@ -49,7 +49,7 @@ fn check_labels(what: &str, drawing: &Drawing) {
 }
 
 /// Every number of a tree as diagrams write it, those of its ledger and of its pixel among them, and how many rays it has.
-fn numbers_of(tree: &RayTree) -> BTreeSet<String> {
+pub(crate) fn numbers_of(tree: &RayTree) -> BTreeSet<String> {
     fn collect(value: &serde_json::Value, into: &mut BTreeSet<String>) {
         match value {
             serde_json::Value::Number(x) => _ = into.insert(shown(x.as_f64().unwrap())),
@@ -67,7 +67,7 @@ fn numbers_of(tree: &RayTree) -> BTreeSet<String> {
 }
 
 /// The numbers in a text, as they stand there.
-fn numbers_in(text: &str) -> Vec<String> {
+pub(crate) fn numbers_in(text: &str) -> Vec<String> {
     let mut numbers = vec![String::new()];
     let mut before = ' ';
     for c in text.chars() {

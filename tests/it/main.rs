@@ -7,6 +7,7 @@ mod commands;
 mod diagrams;
 mod drawing;
 mod effects;
+mod first_hit;
 mod fuzz;
 mod hard_rows;
 mod kernels;

@@ -97,9 +97,10 @@ pub(super) fn subject<'a>(
     Ok(Subject { node, shape: &object.shape, primitive, record, bounds, hit, title })
 }
 
-/// What a ray is called: `Ray 3 (reflected)`.
+/// What a ray is called: `Ray 3 (reflected)`, and of which pixel where nothing else says so.
 pub(super) fn ray_name(input: &Input<'_>) -> String {
-    format!("Ray {} ({})", input.number(), kind_name(input.node.kind))
+    let name = format!("Ray {} ({})", input.number(), kind_name(input.node.kind));
+    if input.tree.pixel.is_some() { input.title(&name) } else { name }
 }
 
 /// A name with an ellipsis for its middle where it is long.
