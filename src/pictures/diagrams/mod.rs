@@ -67,39 +67,23 @@ struct Row {
 
 impl Kind {
     /// All of them, in the order in which a page shows them.
-    pub const ALL: [Kind; 8] = [
-        Kind::Plane,
-        Kind::Triangle,
-        Kind::Box,
-        Kind::Sphere,
-        Kind::Surface,
-        Kind::Section,
-        Kind::Tree,
-        Kind::Ledger,
-    ];
+    pub const ALL: [Kind; 8] =
+        [Kind::Plane, Kind::Triangle, Kind::Box, Kind::Sphere, Kind::Surface, Kind::Section, Kind::Tree, Kind::Ledger];
 
     fn row(self) -> Row {
         match self {
-            Self::Plane => Row {
-                name: "plane",
-                about: "where the ray meets a plane in Hesse normal form",
-                draw: plane::draw,
-            },
+            Self::Plane => {
+                Row { name: "plane", about: "where the ray meets a plane in Hesse normal form", draw: plane::draw }
+            }
             Self::Triangle => Row {
                 name: "triangle",
                 about: "where the ray meets a triangle, with the three inside tests",
                 draw: triangle::draw,
             },
-            Self::Box => Row {
-                name: "box",
-                about: "when the ray is inside each slab of a box",
-                draw: slabs::draw,
-            },
-            Self::Sphere => Row {
-                name: "sphere",
-                about: "where the ray enters and leaves a sphere",
-                draw: sphere::draw,
-            },
+            Self::Box => Row { name: "box", about: "when the ray is inside each slab of a box", draw: slabs::draw },
+            Self::Sphere => {
+                Row { name: "sphere", about: "where the ray enters and leaves a sphere", draw: sphere::draw }
+            }
             Self::Surface => Row {
                 name: "surface",
                 about: "angles, Snell's law and Fresnel's split where the ray goes on",

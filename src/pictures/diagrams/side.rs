@@ -52,7 +52,7 @@ pub(super) struct Placed {
 }
 
 /// The least height of a ray's origin on the canvas, if it has one.
-const LEAST: f64 = 84.0;
+const LEAST: f64 = 58.0;
 
 impl Placed {
     /// The layout of a side view in `room`.
@@ -74,11 +74,12 @@ impl Placed {
         let scale = DVec2::new(even, up);
         // What is not needed is left free above and below alike.
         let spare = 0.45 * (most.y - height * up).max(0.0);
-        let ground =
-            if side.height >= 0.0 { room.max.y - below - spare } else { room.min.y + above + spare };
+        let ground = if side.height >= 0.0 { room.max.y - below - spare } else { room.min.y + above + spare };
         let backward = side.t.is_some_and(|t| t < 0.0);
         let wide = width * even;
-        let left = room.min.x + (0.45 * (size.x - wide)).max(0.0);
+        // Behind the origin of the ray there is something, and before it the ray.
+        let share = if backward { 0.12 } else { 0.45 };
+        let left = room.min.x + (share * (size.x - wide)).max(0.0);
         let right = left + wide;
         let (eye_x, hit_x) = if backward { (right, left) } else { (left, right) };
         let eye = DVec2::new(eye_x, ground - side.height * up);
@@ -148,7 +149,8 @@ fn direction(sketch: &mut Sketch<'_>, placed: &Placed, pen: Pen) {
     sketch.arrow(placed.eye, tip, Pen { width: 4.0, dash: Dash::Solid, ..pen });
     sketch.name_in(tip, Words::default().tex(r"\mathbf{d}"), pen.color);
     let foot = DVec2::new(placed.eye.x, tip.y);
-    if (foot.y - placed.eye.y).abs() > 18.0 {
+    // Straight up or down it would lie on the direction itself.
+    if (foot.y - placed.eye.y).abs() > 18.0 && (tip.x - placed.eye.x).abs() > 8.0 {
         let normal = Pen::new(theme.hue(Hue::Purple), 1.6);
         sketch.faint(tip, foot, sketch.guide());
         sketch.arrow(placed.eye, foot, normal);

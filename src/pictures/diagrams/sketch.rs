@@ -49,7 +49,11 @@ impl<'a> Sketch<'a> {
     /// Draws an arrow, without its head where that is outside.
     pub(super) fn arrow(&mut self, a: DVec2, b: DVec2, pen: Pen) {
         let Some((p, q)) = self.cut(a, b) else { return };
-        if q.distance(b) < 0.01 { self.drawing.arrow(p, q, pen) } else { self.drawing.line(p, q, pen) }
+        if q.distance(b) < 0.01 {
+            self.drawing.arrow(p, q, pen)
+        } else {
+            self.drawing.line(p, q, pen)
+        }
         self.obstacles.extend(cover(&[p, q]));
     }
 
@@ -113,7 +117,17 @@ impl<'a> Sketch<'a> {
     /// Names a point in a colour.
     pub(super) fn name_in(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
         if self.sees(at) {
-            self.want(words.into(), color, around(at, 8.0), Some(at));
+            self.want(words.into(), color, around(at, 9.5), Some(at));
+        }
+    }
+
+    /// Names a point, rather on its left or rather on its right.
+    pub(super) fn name_aside(&mut self, at: DVec2, words: impl Into<Words>, color: Color, on_the_left: bool) {
+        if self.sees(at) {
+            let wrong = if on_the_left { Align::Start } else { Align::End };
+            let mut places = around(at, 9.5);
+            places.sort_by_key(|place| place.align == wrong);
+            self.want(words.into(), color, places, Some(at));
         }
     }
 
@@ -157,7 +171,7 @@ impl<'a> Sketch<'a> {
     /// Draws a length from `a` to `b`, moved aside, and names it.
     pub(super) fn length(&mut self, a: DVec2, b: DVec2, aside: f64, words: Words, color: Color) {
         let [p, q] = self.drawing.dimension(a, b, aside, Pen::new(color, 1.3));
-        self.obstacles.extend(cover(&[p, q]));
+        self.obstacles.extend(cover(&[a, p, q, b]));
         self.beside(p, q, words, color);
     }
 

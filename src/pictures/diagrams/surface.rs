@@ -165,12 +165,16 @@ fn ground(drawing: &mut Drawing, room: Rect, at: DVec2, incidence: &Incidence<'_
     if incident != transmitted && !incidence.is_opaque {
         drawing.fill(Path::rect(denser), theme.hue(Hue::Sky).fade(0.13));
     }
-    let text = Text::new(14.0, theme.ink).anchor(Align::End, Level::Baseline);
-    let corner = DVec2::new(room.max.x - 8.0, at.y);
-    drawing.text(corner - DVec2::Y * 12.0, Words::default().tex(&format!("n_1 = {}", tex(incident))), text);
-    let below = text.anchor(Align::End, Level::Top);
+    // In the corners, where no ray gets to.
+    let text = Text::new(14.0, theme.ink).anchor(Align::End, Level::Top);
+    let corner = DVec2::new(room.max.x - 8.0, room.min.y + 12.0);
+    drawing.text(corner, Words::default().tex(&format!("n_1 = {}", tex(incident))), text);
+    let (corner, level) = match incidence.is_opaque {
+        true => (DVec2::new(corner.x, at.y + 22.0), Level::Top),
+        false => (DVec2::new(corner.x, room.max.y - 12.0), Level::Baseline),
+    };
     let words = Words::default().tex(&format!("n_2 = {}", tex(transmitted)));
-    drawing.text(corner + DVec2::Y * 18.0, words, below);
+    drawing.text(corner, words, text.anchor(Align::End, level));
 }
 
 /// An angle with its arc and its value.

@@ -124,13 +124,7 @@ impl Drawing {
 
 /// The place of least cost. Outside is worse than on a label, on a label worse than on an obstacle, and all of it worse than
 /// far.
-fn choose(
-    wanted: &Wanted,
-    frame: Frame,
-    within: Rect,
-    labels: &[Rect],
-    obstacles: &[Rect],
-) -> Option<Choice> {
+fn choose(wanted: &Wanted, frame: Frame, within: Rect, labels: &[Rect], obstacles: &[Rect]) -> Option<Choice> {
     let mut best: Option<Choice> = None;
     for (i, place) in wanted.places.iter().enumerate() {
         let text = wanted.text.anchor(place.align, place.level);

@@ -69,6 +69,9 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
     for axis in 0..3 {
         bar(drawing, &window, y(axis), slabs.spans[axis], axis, 0.3 * row, theme);
     }
+    let says = if is_hit { "in all three" } else { "gap" };
+    let text = Text::new(12.0, hue).anchor(Align::Start, Level::Middle);
+    drawing.text((room.min.x, base + 0.45 * row), elided(says, &text, numbers), text);
     let mut sketch = Sketch::new(drawing, room, theme);
     let axis = Pen::new(theme.axis, 1.2);
     sketch.arrow(DVec2::new(window.left, bottom), DVec2::new(window.right + 4.0, bottom), axis);
@@ -116,34 +119,16 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
         }
         sketch.want(Words::default().tex(&words), theme.ink, places, None);
     }
-    let at = DVec2::new((a + b) / 2.0, base + 0.45 * row);
-    let says = if is_hit { "in all three" } else { "gap" };
-    if b - a > 12.0 {
-        let places = [0.0, 60.0, -60.0].map(|dx| Placement {
-            of: None,
-            at: at + DVec2::new(dx, 0.0),
-            align: Align::Middle,
-            level: Level::Middle,
-        });
-        sketch.want(Words::from(says), hue, places.to_vec(), None);
-    }
     sketch.finish();
 }
 
 /// The height of a row: three bars, the overlap, and room for the numbers below.
 fn row(room: Rect) -> f64 {
-    ((room.size().y - 26.0) / 4.0).clamp(14.0, 40.0)
+    ((room.size().y - 44.0) / 4.0).clamp(14.0, 40.0)
 }
 
 /// Writes the six values beside the bars; returns how much room they take.
-fn numbers(
-    drawing: &mut Drawing,
-    room: Rect,
-    slabs: &Slabs,
-    subject: &Subject<'_>,
-    size: f64,
-    theme: &Theme,
-) -> f64 {
+fn numbers(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &Subject<'_>, size: f64, theme: &Theme) -> f64 {
     let row = row(room);
     let mut x = room.min.x;
     for leaving in [false, true] {
@@ -164,19 +149,11 @@ fn numbers(
         }
         x += widest + 12.0;
     }
-    x - 12.0 - room.min.x
+    (x - 12.0 - room.min.x).max(78.0)
 }
 
 /// Draws the bar of one slab, with a break where it goes on beyond the window.
-fn bar(
-    drawing: &mut Drawing,
-    window: &Window,
-    y: f64,
-    [from, to]: [f64; 2],
-    axis: usize,
-    half: f64,
-    theme: &Theme,
-) {
+fn bar(drawing: &mut Drawing, window: &Window, y: f64, [from, to]: [f64; 2], axis: usize, half: f64, theme: &Theme) {
     let hue = color(axis, theme);
     if from > to {
         let text = Text::new(12.0, theme.muted).anchor(Align::Middle, Level::Middle);

@@ -34,8 +34,7 @@ impl Frame {
         // The eye is seen where it is near.
         let reach = 1.6 * size.max_element();
         let is_near = |k: usize| min[k] - reach <= origin[k] && origin[k] <= max[k] + reach;
-        let (low, high) =
-            if is_near(0) && is_near(1) { (min.min(origin), max.max(origin)) } else { (min, max) };
+        let (low, high) = if is_near(0) && is_near(1) { (min.min(origin), max.max(origin)) } else { (min, max) };
         let span = high - low;
         let most = 0.6 * room.size();
         let even = (most / span).min_element();

@@ -119,7 +119,8 @@ fn lines(subject: &Subject<'_>, center: DVec3, radius: f64) -> Vec<Line> {
             (r"\Delta = b^2 - 4ac", Some(format!(r"{}^2 - 4\cdot {}\cdot {}", operand(b), operand(a), operand(c))))
         }
         (Some(a), ..) => {
-            let numbers = subject.number("l_dot_l").map(|l| format!(r"({})^2\cdot {} - {}", tex(radius), tex(a), tex(l)));
+            let numbers =
+                subject.number("l_dot_l").map(|l| format!(r"({})^2\cdot {} - {}", tex(radius), tex(a), tex(l)));
             (r"\Delta = r^2 a - \mathbf{l}\cdot\mathbf{l}, \quad \mathbf{l} = \mathbf{f}\times\mathbf{d}", numbers)
         }
         _ => (r"\Delta", None),

@@ -63,14 +63,7 @@ impl Frame {
     }
 }
 
-pub(super) fn draw(
-    drawing: &mut Drawing,
-    room: Rect,
-    cut: &Cut,
-    frame: &Frame,
-    subject: &Subject<'_>,
-    theme: &Theme,
-) {
+pub(super) fn draw(drawing: &mut Drawing, room: Rect, cut: &Cut, frame: &Frame, subject: &Subject<'_>, theme: &Theme) {
     let mut sketch = Sketch::new(drawing, room, theme);
     let center = frame.center(cut);
     let radius = (cut.radius * frame.scale).max(2.0);
@@ -86,7 +79,7 @@ pub(super) fn draw(
     let taken = cut.taken.and_then(|i| roots.map(|roots| roots[i]));
     let (west, east) = (DVec2::new(room.min.x, frame.eye.y), DVec2::new(room.max.x, frame.eye.y));
     if center.x - radius < frame.eye.x {
-        sketch.faint(west, frame.eye, sketch.guide());
+        sketch.line(west, frame.eye, sketch.guide());
     }
     match taken.filter(|_| subject.t().is_some_and(|t| t >= 0.0)) {
         Some(hit) => {
@@ -119,9 +112,10 @@ fn lines(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'_
         sketch.line(foot, center, Pen::new(purple, 1.6));
         let words = match subject.number("l_dot_l") {
             Some(_) => Words::default().tex(r"\sqrt{\mathbf{l}\cdot\mathbf{l}\,/\,a}"),
-            None => Words::from("distance"),
+            None => Words::default().tex(r"\sqrt{r^2 - \Delta\,/\,4a}"),
         };
-        sketch.beside(foot, center, words, purple);
+        // On the right first: the radius is on the left.
+        sketch.beside(center, foot, words, purple);
     }
     if foot.distance(center) > 24.0 {
         sketch.drawing.right_angle(foot, DVec2::X, DVec2::Y, 8.0, Pen::new(theme.axis, 1.1));
@@ -147,7 +141,7 @@ fn lines(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'_
         sketch.length(foot, far, 12.0, Words::default().tex(half), green);
     }
     // Where it would lie on the perpendicular or on the ray it is drawn elsewhere.
-    let is_clear = near.distance(foot) > 34.0 && foot.distance(center) > 20.0;
+    let is_clear = near.distance(foot) > 34.0 && foot.distance(center) > 60.0;
     let elsewhere = center + cut.radius * frame.scale * DVec2::splat(std::f64::consts::FRAC_1_SQRT_2);
     radius_to(sketch, center, if is_clear { near } else { elsewhere });
 }
@@ -183,7 +177,7 @@ fn points(sketch: &mut Sketch<'_>, cut: &Cut, frame: &Frame, subject: &Subject<'
         let color = if cut.taken == Some(i) { theme.ray(subject.node.kind, 1.0).color } else { theme.muted };
         let Some(t) = subject.number(key).or(subject.t().filter(|_| cut.taken == Some(i))) else { continue };
         sketch.dot(roots[i], color);
-        sketch.name_in(roots[i], Words::default().tex(&format!("{letter} = {}", tex(t))), color);
+        sketch.name_aside(roots[i], Words::default().tex(&format!("{letter} = {}", tex(t))), color, i == 0);
     }
 }
 

@@ -35,15 +35,7 @@ pub(super) fn wanted(cut: &Cut, frame: &Frame) -> Option<Zoom> {
 }
 
 /// Draws the magnified part into `room`, and where it is in the picture above.
-pub(super) fn draw(
-    drawing: &mut Drawing,
-    room: Rect,
-    cut: &Cut,
-    frame: &Frame,
-    zoom: Zoom,
-    kind: Kind,
-    theme: &Theme,
-) {
+pub(super) fn draw(drawing: &mut Drawing, room: Rect, cut: &Cut, frame: &Frame, zoom: Zoom, kind: Kind, theme: &Theme) {
     let [t_in, t_out] = cut.roots.unwrap_or([cut.foot; 2]);
     let half = cut.half.unwrap_or(0.0);
     // The span that is to fill a third of the room, and where on the circle it lies, from the centre.
