@@ -95,7 +95,7 @@ pub(super) fn draw(drawing: &mut Drawing, room: Rect, slabs: &Slabs, subject: &S
         sketch.disk(eye, 6.0, pen.color);
         sketch.name(eye, "the ray, end on");
     } else if sees_eye {
-        sketch.faint(eye, eye - reach * along, sketch.guide());
+        sketch.line(eye, eye - reach * along, sketch.guide());
         sketch.ray(eye, eye + reach * along, pen);
     } else if let Some((a, b)) = through(&sketch, eye, along, reach) {
         sketch.ray(a, b, pen);
