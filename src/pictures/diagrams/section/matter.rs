@@ -20,7 +20,8 @@ pub(super) enum Matter {
 /// A circle larger than this on the canvas is drawn as the arc that is seen.
 const LARGEST_CIRCLE: f64 = 3000.0;
 
-/// Draws a cut, which the caller has to clip to the frame, and returns places on its outline and in its middle that are seen, for its name.
+/// Draws a cut, which the caller has to clip to the frame, and returns places on its outline and in its middle that are seen, for
+/// its name.
 pub(super) fn draw(
     drawing: &mut Drawing,
     window: &Window,
