@@ -249,15 +249,17 @@ pub fn intersect_box_certified<R: Real>(
     aabb: &Aabb<R>,
     start: Start,
 ) -> Result<Certified<BoxHit<R>>, Miss> {
-    match filtered(ray, aabb, start) {
-        Some(verdict) => verdict,
-        None => undecided(ray, aabb, start),
-    }
+    filtered(ray, aabb, start, || undecided(ray, aabb, start))
 }
 
-/// What the filter says, if it can tell.
+/// What the filter says; `otherwise` where it cannot tell, in tail position, or the hot loop pays for it.
 #[inline(always)]
-fn filtered<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Option<Result<Certified<BoxHit<R>>, Miss>> {
+fn filtered<R: Real>(
+    ray: &Ray<R>,
+    aabb: &Aabb<R>,
+    start: Start,
+    otherwise: impl FnOnce() -> Result<Certified<BoxHit<R>>, Miss>,
+) -> Result<Certified<BoxHit<R>>, Miss> {
     let (o, d) = (ray.origin.to_f64(), ray.direction.to_f64());
     let (lo, hi) = (aabb.min.to_f64(), aabb.max.to_f64());
     let (mut near, mut far) = ([f64::NEG_INFINITY; 3], [f64::INFINITY; 3]);
@@ -266,7 +268,7 @@ fn filtered<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Option<Resul
     for k in 0..3 {
         if d[k] == 0.0 {
             if (o[k] < lo[k] || o[k] > hi[k]) && start == Start::Anywhere {
-                return Some(Err(Miss::SlabsDisjoint));
+                return Err(Miss::SlabsDisjoint);
             }
             continue;
         }
@@ -283,14 +285,14 @@ fn filtered<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Option<Resul
     if start == Start::Anywhere {
         let (gap, bound) = (t_out - t_in, GAP * (t_in.abs() + t_out.abs()));
         if gap < -bound {
-            return Some(Err(Miss::SlabsDisjoint));
+            return Err(Miss::SlabsDisjoint);
         }
         if !(gap > bound) {
-            return None;
+            return otherwise();
         }
     }
     if t_out < 0.0 {
-        return Some(Err(Miss::Behind));
+        return Err(Miss::Behind);
     }
     // The hit is at t >= 0 on one face, if no other comes within 2 * 2.01 u of it, relatively.
     let enters = t_in >= 0.0 && start == Start::Anywhere;
@@ -301,9 +303,9 @@ fn filtered<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Option<Resul
         far.map(|x| u8::from(x <= t + 10.0 * U * t))
     };
     if at_t[0] + at_t[1] + at_t[2] > 1 {
-        return None;
+        return otherwise();
     }
-    Some(Ok(certified(ray, axis, enters, t_in, t_out)))
+    Ok(certified(ray, axis, enters, t_in, t_out))
 }
 
 /// The face through which a ray of this direction enters or leaves the slab of an axis.
@@ -423,7 +425,12 @@ fn undecided<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Result<Cert
 /// assert_eq!(box_stage(&corner, &unit, Start::Anywhere), Stage::Integer);
 /// ```
 pub fn box_stage<R: Real>(ray: &Ray<R>, aabb: &Aabb<R>, start: Start) -> Stage {
-    if filtered(ray, aabb, start).is_some() { Stage::Filter } else { Slabs::new(ray, aabb).stage() }
+    let mut is_open = false;
+    let _ = filtered(ray, aabb, start, || {
+        is_open = true;
+        Err(Miss::SlabsDisjoint)
+    });
+    if is_open { Slabs::new(ray, aabb).stage() } else { Stage::Filter }
 }
 
 /// How a *hit* of this ray and box was decided.

@@ -96,27 +96,28 @@ pub fn plane_values<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> PlaneValues<R> {
 /// ```
 #[inline(always)]
 pub fn intersect_plane_certified<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Result<Certified<PlaneHit<R>>, Miss> {
-    match filtered(ray, plane) {
-        Some(verdict) => verdict,
-        None => undecided(ray, plane),
-    }
+    filtered(ray, plane, || undecided(ray, plane))
 }
 
-/// What the filter says, if it can tell.
+/// What the filter says; `otherwise` where it cannot tell, in tail position, or the hot loop pays for it.
 #[inline(always)]
-fn filtered<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Option<Result<Certified<PlaneHit<R>>, Miss>> {
+fn filtered<R: Real>(
+    ray: &Ray<R>,
+    plane: &Plane<R>,
+    otherwise: impl FnOnce() -> Result<Certified<PlaneHit<R>>, Miss>,
+) -> Result<Certified<PlaneHit<R>>, Miss> {
     let PlaneFilter { n_dot_d, n_dot_d_error, height, height_error } = PlaneFilter::new(ray, plane);
     if n_dot_d.abs() > n_dot_d_error && height.abs() > height_error {
         let t = height / n_dot_d;
         if t < 0.0 {
-            return Some(Err(Miss::Behind));
+            return Err(Miss::Behind);
         }
         let t_error = quotient_error(height_error, t, n_dot_d, n_dot_d_error);
         if t_error <= FILTER_ACCURACY * t {
-            return Some(Ok(Certified { hit: PlaneHit { t: R::from_f64(t) }, t, t_error }));
+            return Ok(Certified { hit: PlaneHit { t: R::from_f64(t) }, t, t_error });
         }
     }
-    None
+    otherwise()
 }
 
 /// A bound on the error of `t = n / d` where `n` is within `n_error` and `d` within `d_error` of the true ones:
@@ -200,7 +201,12 @@ fn undecided<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Result<Certified<PlaneH
 /// assert_eq!(plane_stage(&along, &floor), Stage::Expansion); // n . d is exactly 0
 /// ```
 pub fn plane_stage<R: Real>(ray: &Ray<R>, plane: &Plane<R>) -> Stage {
-    if filtered(ray, plane).is_some() {
+    let mut is_open = false;
+    let _ = filtered(ray, plane, || {
+        is_open = true;
+        Err(Miss::Parallel)
+    });
+    if !is_open {
         return Stage::Filter;
     }
     let (n_dot_d, height) = known_terms(ray, plane);

@@ -65,12 +65,18 @@ impl Known {
     /// value.
     const ACCURATE: f64 = 32.0 * U;
 
+    /// Whether the value is that good.
+    #[inline(always)]
+    pub fn is_accurate(&self) -> bool {
+        self.relative_error <= Known::ACCURATE
+    }
+
     /// The number, its value within a few ulp: from `rough`, which is within `bound` of the truth, or from `exact`.
     #[inline(always)]
     pub fn measured(rough: DoubleDouble, bound: f64, exact: impl FnOnce() -> Expansion) -> Self {
         let known = Known::from_double_double(rough, bound);
         match known {
-            Some(known) if known.relative_error <= Known::ACCURATE => known,
+            Some(known) if known.is_accurate() => known,
             _ => {
                 let stage = known.map_or(Stage::Expansion, |known| known.stage);
                 Known { stage, ..Known::exact(&exact()) }

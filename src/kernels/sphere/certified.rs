@@ -107,15 +107,17 @@ pub fn intersect_sphere_certified<R: Real>(
     sphere: &Sphere<R>,
     start: Start,
 ) -> Result<Certified<SphereHit<R>>, Miss> {
-    match clear(ray, sphere, start) {
-        Some(verdict) => verdict,
-        None => unclear(ray, sphere, start),
-    }
+    clear(ray, sphere, start, || unclear(ray, sphere, start))
 }
 
-/// Misses and hits that are clear at first sight.
+/// Misses and hits that are clear at first sight; `otherwise` for the rest, in tail position, or the hot loop pays for it.
 #[inline(always)]
-fn clear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Result<Certified<SphereHit<R>>, Miss>> {
+fn clear<R: Real>(
+    ray: &Ray<R>,
+    sphere: &Sphere<R>,
+    start: Start,
+    otherwise: impl FnOnce() -> Result<Certified<SphereHit<R>>, Miss>,
+) -> Result<Certified<SphereHit<R>>, Miss> {
     let vector = |v: R::Vec3| glam::DVec3::from_array(v.to_f64());
     let d = vector(ray.direction);
     let f = vector(ray.origin) - vector(sphere.center);
@@ -125,7 +127,7 @@ fn clear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Resu
     // |f|^2 a, less 32 u of it; the factor in front is the ray's.
     let f_sq_a = a * (1.0 - 32.0 * U) * f_dot_f;
     if b * b + r_sq_a < f_sq_a {
-        return Some(Err(Miss::NegativeDiscriminant));
+        return Err(Miss::NegativeDiscriminant);
     }
     // Only its square counts, and the compiler makes less of a detour of d x f than of f x d.
     let l = d.cross(f);
@@ -136,7 +138,7 @@ fn clear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Resu
         let (outside, inside) = (c > clear_c, c < -clear_c);
         // Unless well inside, b^2 = disc + a c is more than 2^-12.1 |f|^2 a, and the sign of b is certain.
         if outside && b > 0.0 {
-            return Some(Err(Miss::Behind));
+            return Err(Miss::Behind);
         }
         let near = outside && start == Start::Anywhere;
         let far = inside || (start == Start::OnSurfaceInward && b < 0.0);
@@ -147,10 +149,10 @@ fn clear<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<Resu
             let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
             let t = if near { t_in } else { t_out };
             let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
-            return Some(Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t }));
+            return Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t });
         }
     }
-    None
+    otherwise()
 }
 
 /// A clear hit has `disc` above this times `r^2 a`, beyond the bound on its error ...
@@ -342,7 +344,12 @@ impl KnownTerms {
 /// assert_eq!([0.5, 1.0, 1.5].map(stage), [Stage::Filter, Stage::Expansion, Stage::Filter]);
 /// ```
 pub fn sphere_stage<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Stage {
-    if clear(ray, sphere, start).is_some() || filtered(ray, sphere, start).is_some() {
+    let mut is_unclear = false;
+    let _ = clear(ray, sphere, start, || {
+        is_unclear = true;
+        Err(Miss::NegativeDiscriminant)
+    });
+    if !is_unclear || filtered(ray, sphere, start).is_some() {
         return Stage::Filter;
     }
     let KnownTerms { b, c, disc, .. } = KnownTerms::new(ray, sphere);

@@ -144,19 +144,17 @@ pub fn intersect_triangle_certified<R: Real>(
     triangle: &Triangle<R>,
     filter: &TriangleFilter,
 ) -> Result<Certified<TriangleHit<R>>, Miss> {
-    match filtered(ray, triangle, filter) {
-        Some(verdict) => verdict,
-        None => undecided(ray, triangle),
-    }
+    filtered(ray, triangle, filter, || undecided(ray, triangle))
 }
 
-/// What the filter says, if it can tell.
+/// What the filter says; `otherwise` where it cannot tell, in tail position, or the hot loop pays for it.
 #[inline(always)]
 fn filtered<R: Real>(
     ray: &Ray<R>,
     triangle: &Triangle<R>,
     filter: &TriangleFilter,
-) -> Option<Result<Certified<TriangleHit<R>>, Miss>> {
+    otherwise: impl FnOnce() -> Result<Certified<TriangleHit<R>>, Miss>,
+) -> Result<Certified<TriangleHit<R>>, Miss> {
     let (o, d) = (wide::<R>(ray.origin), wide::<R>(ray.direction));
     let [v0, v1, v2] = triangle.vertices.map(wide::<R>);
     let (e1, e2) = (v1 - v0, v2 - v0);
@@ -164,31 +162,31 @@ fn filtered<R: Real>(
     let signed_det = e1.dot(p);
     let det = signed_det.abs();
     if !(det > filter.det) {
-        return None;
+        return otherwise();
     }
     let s = o - v0;
     let q = s.cross(e1);
     let u = fold(s.dot(p), signed_det);
     if u < -filter.uv {
-        return Some(Err(Miss::BIsNegative));
+        return Err(Miss::BIsNegative);
     }
     // V + W = det - U is negative: the point lies beyond v1, and one of the two is to blame. With U this large, V >=
     // -E leaves W <= -2 E_W + E + its error < 0. A caller who drops the reason never computes V here.
     if u - det > 2.0 * filter.w {
         let v = fold(d.dot(q), signed_det);
-        return Some(Err(if v < -filter.uv { Miss::SumExceedsOne } else { Miss::AIsNegative }));
+        return Err(if v < -filter.uv { Miss::SumExceedsOne } else { Miss::AIsNegative });
     }
     let v = fold(d.dot(q), signed_det);
     if v < -filter.uv {
-        return Some(Err(Miss::SumExceedsOne));
+        return Err(Miss::SumExceedsOne);
     }
     let w = det - u - v;
     if w < -filter.w {
-        return Some(Err(Miss::AIsNegative));
+        return Err(Miss::AIsNegative);
     }
     let t_scaled = fold(e2.dot(q), signed_det);
     if t_scaled < -filter.t {
-        return Some(Err(Miss::Behind));
+        return Err(Miss::Behind);
     }
     if u > filter.uv && v > filter.uv && w > filter.w && t_scaled > filter.t {
         // t = T / det, T = T' + tau, det = det' + delta: T'/det' - T/det = (T'/det' delta - tau) / det, |tau| <= E_T,
@@ -199,10 +197,10 @@ fn filtered<R: Real>(
         if t_error <= FILTER_ACCURACY * t {
             let inv_det = 1.0 / det;
             let barycentrics = [w, u, v].map(|x| R::from_f64(x * inv_det));
-            return Some(Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error }));
+            return Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error });
         }
     }
-    None
+    otherwise()
 }
 
 #[inline(always)]
@@ -265,25 +263,37 @@ trait Determinants {
 /// The verdict from the five quantities, asked for one by one.
 #[inline(always)]
 fn decide<R: Real>(determinants: &impl Determinants) -> Result<Certified<TriangleHit<R>>, Miss> {
-    let sign = determinants.decided(Quantity::Det).value;
+    let det = determinants.decided(Quantity::Det);
+    let sign = det.value;
     if sign == 0.0 {
         return Err(Miss::Parallel);
     }
     let not_negative = |quantity, miss| {
-        if fold(determinants.decided(quantity).value, sign) < 0.0 { Err(miss) } else { Ok(()) }
+        let known = determinants.decided(quantity);
+        if fold(known.value, sign) < 0.0 { Err(miss) } else { Ok((quantity, known)) }
     };
-    not_negative(Quantity::U, Miss::BIsNegative)?;
-    not_negative(Quantity::V, Miss::SumExceedsOne)?;
-    not_negative(Quantity::W, Miss::AIsNegative)?;
-    not_negative(Quantity::T, Miss::Behind)?;
-    let (det, t_scaled) = (determinants.measured(Quantity::Det), determinants.measured(Quantity::T));
+    let u = not_negative(Quantity::U, Miss::BIsNegative)?;
+    let v = not_negative(Quantity::V, Miss::SumExceedsOne)?;
+    let w = not_negative(Quantity::W, Miss::AIsNegative)?;
+    let t_scaled = not_negative(Quantity::T, Miss::Behind)?;
+    // A sign may be known of a value that is not.
+    let measured = |(quantity, known): (Quantity, Known)| {
+        if known.is_accurate() { known } else { measured_anew(determinants, quantity) }
+    };
+    let (det, t_scaled) = (measured((Quantity::Det, det)), measured(t_scaled));
     let magnitude = det.value.abs();
     let t = t_scaled.value.abs() / magnitude;
     // Both are within 2^-48 or better, so that their product and 1 / (1 - 2^-48) are well within the 8 u.
     let t_error = t * (t_scaled.relative_error + det.relative_error + 8.0 * U);
-    let weight = |quantity| R::from_f64(determinants.measured(quantity).value.abs() / magnitude);
-    let barycentrics = [Quantity::W, Quantity::U, Quantity::V].map(weight);
+    let barycentrics = [w, u, v].map(|weight| R::from_f64(measured(weight).value.abs() / magnitude));
     Ok(Certified { hit: TriangleHit { t: R::from_f64(t), barycentrics }, t, t_error })
+}
+
+/// A value that double-double knew too roughly.
+#[cold]
+#[inline(never)]
+fn measured_anew(determinants: &impl Determinants, quantity: Quantity) -> Known {
+    determinants.measured(quantity)
 }
 
 /// The hit where the filter could not tell, or not tell `t` well enough.
@@ -318,7 +328,12 @@ fn undecided<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>) -> Result<Certified<
 /// assert_eq!((stage(0.25, 0.25), stage(0.5, 0.5)), (Stage::Filter, Stage::Integer));
 /// ```
 pub fn triangle_stage<R: Real>(ray: &Ray<R>, triangle: &Triangle<R>, filter: &TriangleFilter) -> Stage {
-    if filtered(ray, triangle, filter).is_some() {
+    let mut is_open = false;
+    let _ = filtered(ray, triangle, filter, || {
+        is_open = true;
+        Err(Miss::Parallel)
+    });
+    if !is_open {
         return Stage::Filter;
     }
     if IntegerRows::new(ray, triangle).is_some() {
