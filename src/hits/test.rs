@@ -139,12 +139,18 @@ impl<'a, R: Real> MeshTest<'a, R> {
     /// Tests one triangle.
     #[inline(always)]
     pub(super) fn triangle<S: Sink<R>, P: Probe>(&mut self, primitive: u32, t_in: f64, sink: &mut S, probe: &mut P) {
+        if self.left && self.departure.triangles_of(self.id).any(|left| left == primitive) {
+            let verdict = Verdict::Rejected { t: None, reason: Reason::Left };
+            let (object, primitive) = (self.id, Some(primitive));
+            probe.saw(|| Test::Shape(ShapeTest { object, primitive, values: Values::new(), verdict }));
+            return;
+        }
         let numerics = self.world.numerics();
         let triangle = &self.mesh.triangles[primitive as usize];
         let found = test_triangle(numerics, self.ray, triangle, self.filter.as_ref(), Some(primitive));
         let mut verdict = None;
         if self.left && found.is_ok() {
-            verdict = self.left_behind(primitive, triangle);
+            verdict = self.in_plane_left(triangle);
         }
         let verdict = match verdict {
             Some(reason) => Verdict::Rejected { t: None, reason },
@@ -156,18 +162,12 @@ impl<'a, R: Real> MeshTest<'a, R> {
         });
     }
 
-    /// Whether the ray starts on this triangle or in its plane.
+    /// Whether the ray starts in the plane of this triangle, on another one.
     #[cold]
-    fn left_behind(&self, primitive: u32, triangle: &Triangle<R>) -> Option<Reason> {
-        for left in self.departure.triangles_of(self.id) {
-            if left == primitive {
-                return Some(Reason::Left);
-            }
-            if are_coplanar(&self.mesh.triangles[left as usize], triangle) {
-                return Some(Reason::CoplanarWithLeft);
-            }
-        }
-        None
+    fn in_plane_left(&self, triangle: &Triangle<R>) -> Option<Reason> {
+        let mut left = self.departure.triangles_of(self.id);
+        let is_coplanar = left.any(|left| are_coplanar(&self.mesh.triangles[left as usize], triangle));
+        is_coplanar.then_some(Reason::CoplanarWithLeft)
     }
 }
 

@@ -31,7 +31,7 @@ pub use miss::Miss;
 pub use offset::{gamma, offset_origin};
 pub use optics::{
     certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refract_usual,
-    refraction_cosines,
+    refract_with_cosines, refraction_cosines,
 };
 pub use order::{Root, compare_t, compare_t_with};
 pub use plane::{

@@ -163,9 +163,41 @@ pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> 
         return Some(d);
     }
     let s = known_transmission(d, n, incident, transmitted).value;
+    if s < 0.0 { None } else { Some(refracted::<R>(d, n, incident, transmitted, s)) }
+}
+
+/// [`refract`] and [`refraction_cosines`] in one, the cosines in f64: what decides both is worked out once.
+///
+/// # Example
+///
+/// ```
+/// # use raytree::kernels::optics::{refract, refract_with_cosines, refraction_cosines};
+/// # use glam::dvec3;
+/// let (d, n) = (dvec3(0.6, -0.8, 0.0), dvec3(0.0, 1.0, 0.0));
+/// let (direction, cosines) = refract_with_cosines::<f64>(d, n, 1.0, 1.25).unwrap();
+/// assert_eq!(Some(direction), refract::<f64>(d, n, 1.0, 1.25));
+/// assert_eq!(Some(cosines), refraction_cosines::<f64>(d, n, 1.0, 1.25));
+/// ```
+pub fn refract_with_cosines<R: Real>(
+    d: R::Vec3,
+    n: R::Vec3,
+    incident: R,
+    transmitted: R,
+) -> Option<(R::Vec3, [f64; 2])> {
+    let [cos_incident, lengths] = incident_cosine::<R>(d, n);
+    if incident == transmitted {
+        return Some((d, [cos_incident, cos_incident]));
+    }
+    let s = known_transmission(d, n, incident, transmitted).value;
     if s < 0.0 {
         return None;
     }
+    let cos_transmitted = (s.sqrt() / transmitted.to_f64() / lengths).smaller(1.0);
+    Some((refracted::<R>(d, n, incident, transmitted, s), [cos_incident, cos_transmitted]))
+}
+
+/// The refracted direction where `S` is not negative.
+fn refracted<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R, s: f64) -> R::Vec3 {
     let (wide_d, wide_n) = (glam::DVec3::from_array(d.to_f64()), glam::DVec3::from_array(n.to_f64()));
     let (n_i, n_t) = (incident.to_f64(), transmitted.to_f64());
     let d_dot_n = wide_d.dot(wide_n);
@@ -173,11 +205,19 @@ pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> 
     let along_normal = wide_d.cross(wide_n) == glam::DVec3::ZERO;
     // A denominator of zero would need a direction or a normal of zero.
     if along_normal || !(denominator > 0.0) {
-        return Some(d);
+        return d;
     }
     let against = if d_dot_n > 0.0 { -1.0 } else { 1.0 };
     let along = against * ((n_i - n_t) * (n_i + n_t) * wide_d.dot(wide_d)) / denominator;
-    Some(R::Vec3::from_f64((wide_d * (n_i / n_t) + wide_n * along).to_array()))
+    R::Vec3::from_f64((wide_d * (n_i / n_t) + wide_n * along).to_array())
+}
+
+/// The cosine of incidence, and `|d| |n|`.
+fn incident_cosine<R: Real>(d: R::Vec3, n: R::Vec3) -> [f64; 2] {
+    let (wide_d, wide_n) = (glam::DVec3::from_array(d.to_f64()), glam::DVec3::from_array(n.to_f64()));
+    let lengths = (wide_d.dot(wide_d) * wide_n.dot(wide_n)).sqrt();
+    // Rounding must not take a cosine beyond 1; smaller() also turns 0 / 0, for a direction of zero, into 1.
+    [(wide_d.dot(wide_n).abs() / lengths).smaller(1.0), lengths]
 }
 
 /// The cosines of incidence and of transmission, `[cos_i, cos_t]`, what [`fresnel_exact`] wants; or nothing at total
@@ -205,19 +245,7 @@ pub fn refract<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> 
 /// assert_eq!(cosines, Some([0.8, 0.0])); // the critical angle
 /// ```
 pub fn refraction_cosines<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> Option<[R; 2]> {
-    let (wide_d, wide_n) = (glam::DVec3::from_array(d.to_f64()), glam::DVec3::from_array(n.to_f64()));
-    let lengths = (wide_d.dot(wide_d) * wide_n.dot(wide_n)).sqrt();
-    // Rounding must not take a cosine beyond 1; smaller() also turns 0 / 0, for a direction of zero, into 1.
-    let cosine = |x: f64| R::from_f64((x / lengths).smaller(1.0));
-    let cos_incident = cosine(wide_d.dot(wide_n).abs());
-    if incident == transmitted {
-        return Some([cos_incident, cos_incident]);
-    }
-    let s = known_transmission(d, n, incident, transmitted).value;
-    if s < 0.0 {
-        return None;
-    }
-    Some([cos_incident, cosine(s.sqrt() / transmitted.to_f64())])
+    refract_with_cosines(d, n, incident, transmitted).map(|(_, cosines)| cosines.map(R::from_f64))
 }
 
 /// The transmitted cosine as usually written, `sqrt(1 - eta^2 (1 - c^2))`, or nothing at total reflection.

@@ -5,8 +5,8 @@ use super::recorder::{Children, Kind, Outcome, Recorder, Secondary, Visit};
 use super::surface::Surface;
 use super::trace::{Budget, Path, Tracer};
 use crate::kernels::Ray;
-use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract, refract_usual, refraction_cosines};
-use crate::numbers::{Real, Vector3};
+use crate::kernels::optics::{fresnel_exact, fresnel_schlick, reflect, refract, refract_usual, refract_with_cosines};
+use crate::numbers::Real;
 use crate::scene::effects::Effect;
 use crate::scene::{Fresnel, Material, Numerics, Rgb};
 
@@ -97,12 +97,12 @@ impl<R: Real> Tracer<'_, R> {
                 let (direction, cosines) = refract_usual(d, n, incident, transmitted)?;
                 Some(Refraction { direction, cosines: Some(cosines.map(Real::to_f64)) })
             }
+            Numerics::Certified if fresnel.is_none() => {
+                refract(d, n, incident, transmitted).map(|direction| Refraction { direction, cosines: None })
+            }
             Numerics::Certified => {
-                let direction = refract(d, n, incident, transmitted)?;
-                // In f64 whatever the geometry's precision, as all that makes colours.
-                let [d, n] = [d, n].map(|v| glam::DVec3::from_array(v.to_f64()));
-                let cosines = || refraction_cosines::<f64>(d, n, incident.to_f64(), transmitted.to_f64());
-                Some(Refraction { direction, cosines: fresnel.and_then(|_| cosines()) })
+                let (direction, cosines) = refract_with_cosines(d, n, incident, transmitted)?;
+                Some(Refraction { direction, cosines: Some(cosines) })
             }
         }
     }
