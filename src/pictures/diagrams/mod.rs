@@ -1,7 +1,7 @@
 //! Diagrams: what a ray did, as geometry. Each reads a finished tree, and of the scene only where its shapes are; every number
 //! that is printed is one of the tree.
 //!
-//! One file a kind. A new kind is a file with a function `draw`, a variant of [`Kind`] and its row in [`Kind::row`].
+//! One file a kind. A new kind is a file with a function `draw`, a variant of [`Kind`] and its row in `Kind::row`.
 
 mod contact;
 mod formulas;
