@@ -194,7 +194,11 @@ fn is_ray(line: &str) -> bool {
     matches!(word, Some("camera" | "shadow" | "reflected" | "refracted"))
 }
 
-/// The section, the diagrams of the first hit, the tree and the ledger: the first four that there are.
+/// A ledger of the least height that is worth the ink.
+const LEDGER: f64 = 110.0;
+
+/// The section, the diagrams of the first hit, the tree and the ledger: the first four that there are, and the ledger
+/// below a small tree.
 fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
     let half = (room.size() - GAP) / 2.0;
     let applies = |kind: &Kind| diagram(*kind, &input.clone().on_page(half.x, half.y), theme).is_ok();
@@ -215,11 +219,27 @@ fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
         (room.min.y, upper_size, upper_drawings.collect()),
         (room.min.y + upper_height + GAP, DVec2::new(in_a_row(lower.len().max(1)).x, lower_height), lower_drawings),
     ];
+    let framed = |page: &mut Drawing, panel: Rect, drawing: &Drawing| {
+        page.stroke(Path::rounded(panel, 6.0), Pen::new(theme.grid, 1.2));
+        page.place(drawing, panel.min, 1.0);
+    };
+    let has_ledger = kinds.contains(&Kind::Ledger);
     for (y, size, drawings) in rows {
         for (i, drawing) in drawings.iter().flatten().enumerate() {
-            let panel = Rect::new((room.min.x + i as f64 * (size.x + GAP), y), size);
-            page.stroke(Path::rounded(panel, 6.0), Pen::new(theme.grid, 1.2));
-            page.place(drawing, panel.min, 1.0);
+            let corner = DVec2::new(room.min.x + i as f64 * (size.x + GAP), y);
+            let needed = drawing.canvas().size().y;
+            let left = size.y - needed - GAP;
+            // Below a small tree there is room for the ledger.
+            let is_last = y > room.min.y && i + 1 == lower.len();
+            let ledger =
+                (is_last && !has_ledger && left >= LEDGER).then(|| draw(Kind::Ledger, DVec2::new(size.x, left)));
+            match ledger.flatten().filter(|ledger| ledger.canvas().size().y <= left) {
+                Some(ledger) => {
+                    framed(page, Rect::new(corner, (size.x, needed)), drawing);
+                    framed(page, Rect::new(corner + DVec2::new(0.0, needed + GAP), (size.x, left)), &ledger);
+                }
+                None => framed(page, Rect::new(corner, size), drawing),
+            }
         }
     }
 }
