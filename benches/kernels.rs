@@ -10,6 +10,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use glam::DVec3;
+use raytree::accuracy::random::Random;
 use raytree::kernels::{
     Aabb, Plane, Ray, Sphere, Start, Triangle, TriangleFilter, intersect_box_certified, intersect_box_explicit_zero,
     intersect_plane_certified, intersect_plane_lecture, intersect_sphere_certified, intersect_sphere_stable,
@@ -20,25 +21,6 @@ use raytree::numbers::{Real, Vector3};
 const ROUNDS: usize = 61;
 const RAYS: usize = 64;
 const START: Start = Start::Anywhere;
-
-/// SplitMix64 (Steele, Lea, Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn signed(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-    fn point(&mut self, scale: f64) -> DVec3 {
-        DVec3::new(self.signed(), self.signed(), self.signed()) * scale
-    }
-    fn below(&mut self, n: usize) -> usize {
-        ((self.signed() + 1.0) * 0.5 * n as f64) as usize % n
-    }
-}
 
 fn main() {
     println!("{:<52} {:>22}", "set", "ratio (quartiles)");
@@ -84,7 +66,7 @@ struct Triangles<R: Real> {
 
 impl<R: Real> Triangles<R> {
     fn new(aim: Aim) -> Self {
-        let mut random = Random(7);
+        let mut random = Random::new(7);
         let corner = |i: usize, j: usize| {
             let (u, v) = (i as f64 / 20.0 * std::f64::consts::TAU, (j as f64 + 1.0) / 20.0 * std::f64::consts::PI);
             R::Vec3::from_f64([v.sin() * u.cos(), v.cos(), v.sin() * u.sin()])
@@ -154,7 +136,7 @@ fn some_rays<R: Real>(random: &mut Random, aimed: bool) -> Vec<Ray<R>> {
 }
 
 fn spheres<R: Real>(name: &str, aimed: bool) {
-    let mut random = Random(8);
+    let mut random = Random::new(8);
     let rays = some_rays::<R>(&mut random, aimed);
     let spheres: Vec<Sphere<R>> = (0..800)
         .map(|_| Sphere {
@@ -177,7 +159,7 @@ fn spheres<R: Real>(name: &str, aimed: bool) {
 }
 
 fn boxes<R: Real>(name: &str, aimed: bool) {
-    let mut random = Random(9);
+    let mut random = Random::new(9);
     let rays = some_rays::<R>(&mut random, aimed);
     let vector = |v: DVec3| R::Vec3::from_f64(v.to_array());
     let boxes: Vec<Aabb<R>> = (0..800)
@@ -208,7 +190,7 @@ fn boxes<R: Real>(name: &str, aimed: bool) {
 }
 
 fn planes<R: Real>(name: &str) {
-    let mut random = Random(10);
+    let mut random = Random::new(10);
     let rays = some_rays::<R>(&mut random, false);
     let planes: Vec<Plane<R>> = (0..800)
         .map(|_| Plane {

@@ -78,7 +78,7 @@ fn ends<R: Real>(scene: &Scene, leaving: LeavingPolicy, stop: &AtomicBool) -> Re
     options.limits.max_depth = options.limits.max_depth.min(1);
     let tracer = Tracer::<R>::new(scene, options)?;
     let pixels = each_pixel(&tracer, &Ends, stop);
-    Ok(pixels.map(|pixels| pixels.into_iter().map(|(_, children)| children).collect()))
+    Ok(pixels.map(|pixels| pixels.into_iter().map(|(_, (_, children))| children).collect()))
 }
 
 /// How far a ray went (infinitely far, where it hit nothing), and its children.

@@ -146,11 +146,14 @@ fn picture(scene: &Scene, variant: Variant, stop: &AtomicBool) -> Result<Option<
 fn picture_in<R: Real>(scene: &Scene, variant: Variant, stop: &AtomicBool) -> Result<Option<Picture>, Unfit> {
     let scene = &with_samples(scene, variant.samples);
     let tracer = Tracer::<R>::new(scene, options(variant))?;
-    let Some(film) = render(&tracer, &|| (), stop) else { return Ok(None) };
     if variant.samples > 1 {
-        return Ok(Some(Picture { film: averaged(&film, variant.samples), shapes: None }));
+        let film = render(&tracer, &|| (), stop);
+        return Ok(film.map(|film| Picture { film: averaged(&film, variant.samples), shapes: None }));
     }
-    Ok(each_pixel(&tracer, &TreeShape, stop).map(|shapes| Picture { film, shapes: Some(shapes) }))
+    Ok(each_pixel(&tracer, &TreeShape, stop).map(|pixels| {
+        let (pixels, shapes) = pixels.into_iter().unzip();
+        Picture { film: Film { size: scene.image, pixels }, shapes: Some(shapes) }
+    }))
 }
 
 fn options(variant: Variant) -> Options {
@@ -184,21 +187,21 @@ fn averaged(film: &Film, samples: u32) -> Film {
     Film { size, pixels: (0..size.width * size.height).map(pixel).collect() }
 }
 
-/// What a recorder makes of every pixel, row by row from the top; nothing if `stop` was set meanwhile.
+/// The colour of every pixel and what a recorder makes of it, row by row from the top; nothing if `stop` was set meanwhile.
 pub(super) fn each_pixel<R: Real, Rec: Recorder>(
     tracer: &Tracer<'_, R>,
     recorder: &Rec,
     stop: &AtomicBool,
-) -> Option<Vec<Rec::Node>> {
+) -> Option<Vec<(Rgb, Rec::Node)>> {
     let size = tracer.scene().image;
-    let mut nodes = Vec::with_capacity((size.width * size.height) as usize);
+    let mut pixels = Vec::with_capacity((size.width * size.height) as usize);
     for y in 0..size.height {
         if stop.load(Ordering::Relaxed) {
             return None;
         }
-        nodes.extend((0..size.width).map(|x| tracer.pixel(x, y, recorder).1));
+        pixels.extend((0..size.width).map(|x| tracer.pixel(x, y, recorder)));
     }
-    Some(nodes)
+    Some(pixels)
 }
 
 /// Renders all variants and compares them with the reference; nothing if `stop` was set meanwhile. `done` is called
@@ -331,7 +334,8 @@ fn mixed(hash: u64, with: u64) -> u64 {
 pub fn stages(scene: &Scene, stop: &AtomicBool) -> Result<Option<Vec<Stage>>, Unfit> {
     let options = Options { numerics: Numerics::Certified, ..Options::of(scene) };
     let tracer = Tracer::<f64>::new(scene, options)?;
-    Ok(each_pixel(&tracer, &DearestStage, stop))
+    let pixels = each_pixel(&tracer, &DearestStage, stop);
+    Ok(pixels.map(|pixels| pixels.into_iter().map(|(_, stage)| stage).collect()))
 }
 
 struct DearestStage;

@@ -5,8 +5,8 @@
 
 use glam::DVec3;
 
+use super::bare_scene::bare_scene;
 use super::random::{Random, rounded, stored};
-use super::stage;
 use crate::hits::{Departure, Limit, World};
 use crate::kernels::Ray;
 use crate::numbers::Real;
@@ -94,7 +94,7 @@ pub fn from_inside<R: Real>(numerics: Numerics, center: DVec3, count: usize, see
     let moved = |triangle: [DVec3; 3]| triangle.map(|corner| rounded::<R>(corner + center));
     let triangles: Vec<[DVec3; 3]> = bumpy_sphere(14).into_iter().map(moved).collect();
     let mesh = Shape::Mesh(Mesh { triangles: triangles.clone(), corner_normals: None, closed: true });
-    let scene = stage::scene(vec![mesh]);
+    let scene = bare_scene(vec![mesh]);
     let world = World::<R>::new(&scene, numerics, Default::default());
     let mut random = Random::new(seed);
     let g = &mut random;
@@ -187,7 +187,7 @@ pub fn through_square<R: Real>(numerics: Numerics, square: Square) -> Leaks {
         let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
         triangles.extend([[a, b, c], [a, c, d]]);
     }
-    let scene = stage::scene(vec![Shape::Mesh(Mesh { triangles, corner_normals: None, closed: false })]);
+    let scene = bare_scene(vec![Shape::Mesh(Mesh { triangles, corner_normals: None, closed: false })]);
     let world = World::<R>::new(&scene, numerics, Default::default());
     let mut leaks = Leaks::default();
     let direction = stored::<R>(direction);

@@ -153,9 +153,10 @@ impl Place {
                 let (glass, air) = (R::from_f64(1.5), R::ONE);
                 let sine: f64 = 1.0 / 1.5;
                 let direction = rounded::<R>(DVec3::new(sine, -(1.0 - sine * sine).sqrt(), 0.0));
+                let around = around::<R>(direction);
                 maps(forms, R::PRECISION, |form, column, row| {
                     let crossing = Crossing {
-                        direction: nudged::<R>(direction, column, row),
+                        direction: around(column, row),
                         normal: R::Vec3::from_f64([0.0, 1.0, 0.0]),
                         incident: glass,
                         transmitted: air,
@@ -211,9 +212,8 @@ impl Answer {
 fn around_ray<R: Real>(forms: &[Form], target: DVec3, answer: impl Fn(Form, Ray<R>) -> Answer) -> Vec<Map> {
     let direction = R::Vec3::from_f64(DIRECTION.to_array());
     let origin = rounded::<R>(target - 2.0 * DVec3::from_array(direction.to_f64()));
-    maps(forms, R::PRECISION, |form, column, row| {
-        answer(form, Ray { origin: nudged::<R>(origin, column, row), direction })
-    })
+    let around = around::<R>(origin);
+    maps(forms, R::PRECISION, |form, column, row| answer(form, Ray { origin: around(column, row), direction }))
 }
 
 fn maps(forms: &[Form], precision: Precision, answer: impl Fn(Form, usize, usize) -> Answer) -> Vec<Map> {
@@ -226,15 +226,20 @@ fn maps(forms: &[Form], precision: Precision, answer: impl Fn(Form, usize, usize
     forms.iter().map(map).collect()
 }
 
-/// `v` with x moved by a number of units in its last place and y by another: none in the middle of the map, y upwards.
-fn nudged<R: Real>(v: DVec3, column: usize, row: usize) -> R::Vec3 {
-    let moved = |x: f64, steps: i64| {
-        let mut x = R::from_f64(x);
-        for _ in 0..steps.unsigned_abs() {
-            x = if steps > 0 { x.next_up() } else { x.next_down() };
-        }
-        x
-    };
-    let middle = SIDE as i64 / 2;
-    R::Vec3::new(moved(v.x, column as i64 - middle), moved(v.y, middle - row as i64), R::from_f64(v.z))
+/// The numbers around `x`, each the next after the one before, `x` in the middle.
+fn steps<R: Real>(x: f64) -> [R; SIDE + 1] {
+    let mut steps = [R::from_f64(x); SIDE + 1];
+    for i in SIDE / 2 + 1..=SIDE {
+        steps[i] = steps[i - 1].next_up();
+    }
+    for i in (0..SIDE / 2).rev() {
+        steps[i] = steps[i + 1].next_down();
+    }
+    steps
+}
+
+/// `v` with x moved across the map and y upwards: `v` itself in the middle.
+fn around<R: Real>(v: DVec3) -> impl Fn(usize, usize) -> R::Vec3 {
+    let (xs, ys) = (steps::<R>(v.x), steps::<R>(v.y));
+    move |column, row| R::Vec3::new(xs[column], ys[SIDE - row], R::from_f64(v.z))
 }

@@ -7,6 +7,7 @@
 //! they left; [`surfaces`] runs both for all kernels. [`report`] measures everything, [`charts`], [`export`] and [`page`]
 //! show it.
 
+mod bare_scene;
 pub mod charts;
 pub mod departures;
 pub mod export;
@@ -20,7 +21,6 @@ pub mod referee;
 pub mod report;
 pub mod sets;
 pub mod spawning;
-mod stage;
 pub mod surfaces;
 pub mod timing;
 pub mod verdicts;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::export::{Table, tables};
 use super::report::Report;
+use crate::pictures::drawing::escape;
 
 /// The page. It expects `charts/NAME.svg` and `charts/NAME-dark.svg` beside it for every name in `charts`, in order,
 /// with a sentence on each for those who do not see it.
@@ -20,8 +21,8 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
          arithmetic: every one that the filter left open, and one in {} of the rest. The certified forms were wrong in \
          <strong>{wrong}</strong>. Times are medians of {} interleaved rounds with their quartiles; compare them, do not \
          quote them.</p>",
-        escaped(command),
-        escaped(machine),
+        escape(command),
+        escape(machine),
         plan.seed,
         plan.refereed_one_in,
         plan.rounds
@@ -33,6 +34,7 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
         );
         page.push_str("</p>\n");
     }
+    let tables = tables(report);
     for (heading, about, files, table_files) in SECTIONS {
         let is_here = |name: &str| files.iter().any(|prefix| name.starts_with(prefix));
         let figures: Vec<_> = charts.iter().filter(|(name, _)| is_here(name)).collect();
@@ -46,11 +48,11 @@ pub fn to_html(report: &Report, machine: &str, command: &str, charts: &[(String,
                 "<figure><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"charts/{name}-dark.svg\">\
                  <img src=\"charts/{name}.svg\" alt=\"{}\"></picture><figcaption><a href=\"charts/{name}.svg\">SVG</a> \
                  <a href=\"charts/{name}.png\">PNG</a></figcaption></figure>",
-                escaped(alt)
+                escape(alt)
             )
             .ok();
         }
-        for table in tables(report).iter().filter(|t| table_files.contains(&t.file)) {
+        for table in tables.iter().filter(|t| table_files.contains(&t.file)) {
             write_table(&mut page, table);
         }
         page.push_str("</section>\n");
@@ -118,22 +120,18 @@ fn write_table(page: &mut String, table: &Table) {
     )
     .ok();
     for column in &table.columns {
-        write!(page, "<th>{}</th>", escaped(&column.replace('_', " "))).ok();
+        write!(page, "<th>{}</th>", escape(&column.replace('_', " "))).ok();
     }
     page.push_str("</tr>\n");
     for row in &table.rows {
         page.push_str("<tr>");
         for cell in row {
             let class = if cell.parse::<f64>().is_ok() { " class=\"n\"" } else { "" };
-            write!(page, "<td{class}>{}</td>", escaped(cell)).ok();
+            write!(page, "<td{class}>{}</td>", escape(cell)).ok();
         }
         page.push_str("</tr>\n");
     }
     page.push_str("</table></div></details>\n");
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 const HEAD: &str = r#"<!doctype html>

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
+use super::bare_scene::bare_scene;
 use super::random::{Random, rounded, stored};
-use super::stage;
 use crate::hits::{Departure, Limit};
 use crate::kernels::Ray;
 use crate::numbers::{Real, Vector3};
@@ -129,7 +129,7 @@ pub fn self_hits<R: Real>(ground: Ground, manner: Manner, scale: f64, count: usi
         let place = rounded::<R>(g.direction() * scale);
         let eye = g.direction() * (2.0 + 3.0 * g.unit());
         let (shape, target) = ground.draw(g, place, eye);
-        let scene = stage::scene(vec![shape]);
+        let scene = bare_scene(vec![shape]);
         let Some(tracer) = manner.tracer::<R>(&scene) else { continue };
         let origin = rounded::<R>(place + eye);
         let ray = Ray::<R> { origin: stored::<R>(origin), direction: stored::<R>((target - origin).normalize()) };
@@ -172,7 +172,7 @@ pub fn contact_shadows<R: Real>(manner: Manner, height: f64, gap: f64, count: us
     let ground = Shape::Plane { normal: DVec3::Y, distance: below };
     let corner = |x: f64, z: f64| DVec3::new(x, above, z);
     let card = Shape::Triangle { vertices: [corner(-64.0, -64.0), corner(64.0, -64.0), corner(0.0, 64.0)] };
-    let (bare, covered) = (stage::scene(vec![ground.clone()]), stage::scene(vec![ground, card]));
+    let (bare, covered) = (bare_scene(vec![ground.clone()]), bare_scene(vec![ground, card]));
     let (Some(bare), Some(covered)) = (manner.tracer::<R>(&bare), manner.tracer::<R>(&covered)) else { return shadows };
     let mut random = Random::new(seed);
     let g = &mut random;
@@ -206,7 +206,7 @@ pub struct Chains {
 
 /// `count` rays of length 1 from anywhere in the unit cube in any direction, each mirrored `bounces` times by its walls.
 pub fn mirrored_cube<R: Real>(manner: Manner, count: usize, bounces: usize, seed: u64) -> Chains {
-    let scene = stage::scene(vec![Shape::Box { min: DVec3::ZERO, max: DVec3::ONE }]);
+    let scene = bare_scene(vec![Shape::Box { min: DVec3::ZERO, max: DVec3::ONE }]);
     let mut chains = Chains::default();
     let Some(tracer) = manner.tracer::<R>(&scene) else { return chains };
     let mut random = Random::new(seed);

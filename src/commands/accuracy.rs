@@ -1,18 +1,18 @@
 //! `raytree accuracy`: what accuracy costs in time.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
 
 use super::failure::Failure;
-use super::output::Target;
+use super::output::Folder;
+use super::picture::Format;
 use super::{files, progress};
 use crate::accuracy::report::{Plan, Progress, Report};
 use crate::accuracy::{charts, export, page};
 use crate::input::Problem;
-use crate::pictures::drawing::{Drawing, Unfit};
 use crate::pictures::theme::Theme;
 
 /// Measures what accuracy costs in time, and writes a report: a page with charts, and the figures as CSV and JSON
@@ -32,7 +32,7 @@ pub(super) struct Args {
     /// A run of a few seconds
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Ten million pairs a shape
+    /// Ten million pairs of triangles and of spheres, a million of boxes and of planes, in either precision
     #[arg(long)]
     full: bool,
     /// Where the random numbers start
@@ -42,7 +42,8 @@ pub(super) struct Args {
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = args.scene.as_deref().map(files::load_scene).transpose()?;
-    make_folder(&args.output.join("charts"))?;
+    let folder = Folder::new(&args.output)?;
+    folder.folder("charts")?;
     let plan = match (args.quick, args.full) {
         (true, _) => Plan::QUICK,
         (_, true) => Plan::FULL,
@@ -62,42 +63,30 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let file = args.scene.as_deref().unwrap_or_default();
         Problem::new(file, "the scene does not fit f64", "coordinates up to 2^128 in magnitude")
     })?;
-    write(&report, args)
+    write(&report, &folder, args)
 }
 
-fn write(report: &Report, args: &Args) -> Result<(), Failure> {
+fn write(report: &Report, folder: &Folder, args: &Args) -> Result<(), Failure> {
     let machine = machine();
-    let write = |name: &str, bytes: &[u8]| -> Result<(), Failure> {
-        let path = args.output.join(name);
-        Target::new(Some(&path.to_string_lossy()), &[])?.write_all(bytes)
-    };
     let mut names = Vec::new();
     let light = charts::all(report, &machine, &Theme::LIGHT);
     let dark = charts::all(report, &machine, &Theme::DARK);
     let bar = progress::bar("charts", light.len() as u64);
     for (light, dark) in light.into_iter().zip(dark) {
-        let svg = |drawing: &Drawing| drawing.to_svg().map_err(|unfit| undrawable(&unfit));
-        write(&format!("charts/{}.svg", light.file), svg(&light.drawing)?.as_bytes())?;
-        write(&format!("charts/{}-dark.svg", light.file), svg(&dark.drawing)?.as_bytes())?;
-        write(&format!("charts/{}.png", light.file), &light.drawing.to_png(2.0).map_err(|unfit| undrawable(&unfit))?)?;
+        let (file, picture) = (&light.file, &light.drawing);
+        folder.write(&format!("charts/{file}.svg"), &Format::Svg.encode(picture, 1.0)?)?;
+        folder.write(&format!("charts/{file}-dark.svg"), &Format::Svg.encode(&dark.drawing, 1.0)?)?;
+        folder.write(&format!("charts/{file}.png"), &Format::Png.encode(picture, 2.0)?)?;
         names.push((light.file, format!("{}. {}", light.drawing.title(), light.drawing.description())));
         bar.inc(1);
     }
     bar.finish_and_clear();
     for table in export::tables(report) {
-        write(&format!("{}.csv", table.file), table.to_csv().as_bytes())?;
+        folder.write(&format!("{}.csv", table.file), table.to_csv().as_bytes())?;
     }
-    write("figures.json", export::to_json(report, &machine).as_bytes())?;
+    folder.write("figures.json", export::to_json(report, &machine).as_bytes())?;
     // The page comes last: it is there when all it shows is.
-    write("index.html", page::to_html(report, &machine, &command(args), &names).as_bytes())
-}
-
-fn undrawable(unfit: &Unfit) -> Failure {
-    Failure::Machine(unfit.to_string())
-}
-
-fn make_folder(folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| Failure::from_write(&folder.display().to_string(), &error))
+    folder.write("index.html", page::to_html(report, &machine, &command(args), &names).as_bytes())
 }
 
 /// How to come by this report.

@@ -6,12 +6,12 @@ use std::path::Path;
 
 use super::failure::Failure;
 use super::options::TraceArgs;
-use super::output::Target;
+use super::output::Folder;
 use super::picture::{Format, LookArgs, record};
 use super::{files, progress};
 use crate::input::Problem;
 use crate::pictures::diagrams::{Input, Kind, contact_sheet, diagram};
-use crate::pictures::drawing::Drawing;
+use crate::pictures::drawing::{Color, Drawing, escape};
 use crate::pictures::theme::Theme;
 use crate::scene::{Loaded, scene_files};
 use crate::tree::NodePath;
@@ -47,36 +47,44 @@ struct Entry {
 }
 
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let mut scenes = Vec::new();
+    let mut files = BTreeSet::new();
     for path in &args.scenes {
-        scenes.extend(scene_files(path)?);
+        files.extend(scene_files(path)?);
     }
+    // All are read before anything is written.
+    let scenes: Vec<Loaded> = files.iter().map(|file| files::load_scene(file)).collect::<Result<_, _>>()?;
     if scenes.is_empty() {
         let help = "scene files, or folders with files that end in .json";
         return Err(Problem::new(&args.scenes[0], "there are no scenes", help).into());
     }
-    make_folder(&args.folder)?;
+    let folder = Folder::new(Path::new(&args.folder))?;
     let theme = args.look.theme();
     let mut index = String::new();
     let mut names = BTreeSet::new();
     let bar = progress::bar("drawing", scenes.len() as u64);
-    for file in &scenes {
-        let loaded = files::load_scene(file)?;
-        let name = unique(&slug(file), &mut names);
-        make_folder(&format!("{}/{name}", args.folder))?;
-        scene_page(args, &loaded, &name, theme, &mut index)?;
+    for loaded in &scenes {
+        let name = unique(&slug(&loaded.file), &mut names);
+        folder.folder(&name)?;
+        scene_page(args, &folder, loaded, &name, theme, &mut index)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
-    write(&args.folder, "index.html", page(&index, theme).as_bytes())
+    folder.write("index.html", page(&index, theme).as_bytes())
 }
 
 /// Writes the diagrams of a scene and its contact sheet, and adds it to the index.
-fn scene_page(args: &Args, loaded: &Loaded, name: &str, theme: &Theme, index: &mut String) -> Result<(), Failure> {
+fn scene_page(
+    args: &Args,
+    folder: &Folder,
+    loaded: &Loaded,
+    name: &str,
+    theme: &Theme,
+    index: &mut String,
+) -> Result<(), Failure> {
     let format = if args.svg { Format::Svg } else { Format::Png };
     let ending = if args.svg { "svg" } else { "png" };
     let about = loaded.scene.about.as_deref().unwrap_or_default();
-    write!(index, "<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n", escaped(name), escaped(about)).ok();
+    write!(index, "<h2 id=\"{0}\">{0}</h2>\n<p>{1}</p>\n", escape(name), escape(about)).ok();
     let mut rows: Vec<Vec<Drawing>> = Vec::new();
     let mut names = BTreeSet::new();
     for (pixel, place) in &loaded.scene.pixels {
@@ -89,7 +97,7 @@ fn scene_page(args: &Args, loaded: &Loaded, name: &str, theme: &Theme, index: &m
         for kind in Kind::ALL {
             let Ok(drawing) = diagram(kind, &input, theme) else { continue };
             let file = format!("{name}/{slug}.{kind}.{ending}");
-            write(&args.folder, &file, &format.encode(&drawing, args.look.scale)?)?;
+            folder.write(&file, &format.encode(&drawing, args.look.scale)?)?;
             entries.push(Entry { file, kind, description: drawing.description().to_owned() });
             row.push(drawing);
         }
@@ -102,16 +110,16 @@ fn scene_page(args: &Args, loaded: &Loaded, name: &str, theme: &Theme, index: &m
     }
     let contact = contact_sheet(&format!("All diagrams of {name}"), &rows, THUMBNAIL, theme);
     let file = format!("{name}/contact.png");
-    write(&args.folder, &file, &Format::Png.encode(&contact, 1.0)?)?;
-    writeln!(index, "<p><a href=\"{}\">Contact sheet</a></p>", escaped(&file)).ok();
+    folder.write(&file, &Format::Png.encode(&contact, 1.0)?)?;
+    writeln!(index, "<p><a href=\"{}\">Contact sheet</a></p>", escape(&file)).ok();
     Ok(())
 }
 
 /// A row of the index: a pixel and its diagrams.
 fn add_row(index: &mut String, pixel: &str, [x, y]: [u32; 2], entries: &[Entry]) {
-    write!(index, "<h3>{} <small>{x},{y}</small></h3>\n<div>\n", escaped(pixel)).ok();
+    write!(index, "<h3>{} <small>{x},{y}</small></h3>\n<div>\n", escape(pixel)).ok();
     for Entry { file, kind, description } in entries {
-        let (file, description) = (escaped(file), escaped(description));
+        let (file, description) = (escape(file), escape(description));
         writeln!(
             index,
             "<a href=\"{file}\"><img loading=\"lazy\" src=\"{file}\" alt=\"{description}\"><span>{kind}</span></a>"
@@ -123,7 +131,7 @@ fn add_row(index: &mut String, pixel: &str, [x, y]: [u32; 2], entries: &[Entry])
 
 /// The whole index.
 fn page(body: &str, theme: &Theme) -> String {
-    let css = |color: crate::pictures::drawing::Color| format!("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+    let css = |color: Color| format!("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
     let (ground, ink, muted, line) = (css(theme.panel), css(theme.ink), css(theme.muted), css(theme.grid));
     let paper = css(theme.background);
     format!(
@@ -136,15 +144,6 @@ a {{ color: inherit; }} div a {{ text-decoration: none; }}
 img {{ display: block; width: 400px; height: 264px; object-fit: contain; background: {paper}; border: 1px solid {line}; }}
 </style>\n<h1>All diagrams</h1>\n{body}</html>\n"
     )
-}
-
-fn make_folder(folder: &str) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::from_write(folder, &error))
-}
-
-fn write(folder: &str, file: &str, bytes: &[u8]) -> Result<(), Failure> {
-    let path = Path::new(folder).join(file);
-    Target::new(path.to_str(), &[])?.write_all(bytes)
 }
 
 /// A name as a file name: small letters, digits, and hyphens for the rest.
@@ -162,8 +161,4 @@ fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
     let free = [name.to_owned()].into_iter().chain(numbered).find(|name| !taken.contains(name)).unwrap_or_default();
     taken.insert(free.clone());
     free
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -86,6 +86,29 @@ impl Target {
     }
 }
 
+/// A folder of results: made if it is not there, each file in it written whole or not at all.
+#[derive(Debug)]
+pub(super) struct Folder(PathBuf);
+
+impl Folder {
+    /// The folder at a path.
+    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
+        let cannot = |error: io::Error| Failure::from_write(&path.display().to_string(), &error);
+        fs::create_dir_all(path).map_err(cannot)?;
+        Ok(Self(path.to_owned()))
+    }
+
+    /// A folder in this one.
+    pub(super) fn folder(&self, name: &str) -> Result<Self, Failure> {
+        Self::new(&self.0.join(name))
+    }
+
+    /// Writes a file.
+    pub(super) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        Target::new(Some(&self.0.join(name).to_string_lossy()), &[])?.write_all(bytes)
+    }
+}
+
 fn buffered(out: impl Write, write: Box<Writer<'_>>) -> io::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 16, out);
     write(&mut out)?;

@@ -85,23 +85,25 @@ pub(super) fn object<R: Real, S: Sink<R>, P: Probe>(
         probe.saw(|| Test::Shape(ShapeTest { object: id, primitive: None, values: Values::new(), verdict }));
         return;
     };
-    let test = |start| match geometry {
-        Geometry::Sphere(sphere) => test_sphere(numerics, ray, sphere, start),
-        Geometry::Plane(plane) => test_plane(numerics, ray, plane),
-        Geometry::Box(aabb) => test_box(numerics, ray, aabb, start),
-        Geometry::Triangle(triangle) => {
-            let filter = (numerics == Numerics::Certified).then(|| TriangleFilter::of_triangle(ray, triangle));
-            test_triangle(numerics, ray, triangle, filter.as_ref(), None)
-        }
-        // Tested triangle by triangle, by a `MeshTest`.
-        Geometry::Mesh(_) => Err(Miss::Parallel),
+    let test = |start| {
+        Some(match geometry {
+            Geometry::Sphere(sphere) => test_sphere(numerics, ray, sphere, start),
+            Geometry::Plane(plane) => test_plane(numerics, ray, plane),
+            Geometry::Box(aabb) => test_box(numerics, ray, aabb, start),
+            Geometry::Triangle(triangle) => {
+                let filter = (numerics == Numerics::Certified).then(|| TriangleFilter::of_triangle(ray, triangle));
+                test_triangle(numerics, ray, triangle, filter.as_ref(), None)
+            }
+            // Tested triangle by triangle, by a `MeshTest`.
+            Geometry::Mesh(_) => return None,
+        })
     };
-    let mut found = test(start);
+    let Some(mut found) = test(start) else { return };
     if let Ok(Found { t, detail: Detail::Sphere { near: true, .. } | Detail::Box { near: true, .. }, .. }) = found
         && departure.is_too_near(t)
     {
         // The near root lies within the epsilon: the far one may count.
-        found = test(Start::OnSurfaceInward);
+        found = test(Start::OnSurfaceInward).unwrap_or(found);
     }
     let offered = offer(world, ray, departure, id, None, t_in, found, sink);
     probe.saw(|| {

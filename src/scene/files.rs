@@ -66,9 +66,12 @@ pub fn scene_files(path: &str) -> Result<Vec<String>, Problem> {
             continue;
         }
         for entry in std::fs::read_dir(&path).map_err(|error| cannot(&path, &error))? {
-            let inner = entry.map_err(|error| cannot(&path, &error))?.path();
+            let entry = entry.map_err(|error| cannot(&path, &error))?;
+            let inner = entry.path();
             let name = inner.to_string_lossy();
-            if inner.is_dir() || (name.ends_with(".json") && !name.ends_with(".schema.json")) {
+            // A link to a folder is not followed: it may lead back here.
+            let is_folder = entry.file_type().is_ok_and(|kind| kind.is_dir());
+            if is_folder || !inner.is_dir() && (name.ends_with(".json") && !name.ends_with(".schema.json")) {
                 open.push(inner);
             }
         }

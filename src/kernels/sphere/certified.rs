@@ -143,16 +143,39 @@ fn clear<R: Real>(
         let near = outside && start == Start::Anywhere;
         let far = inside || (start == Start::OnSurfaceInward && b < 0.0);
         if near || far {
-            let root = disc.sqrt();
-            let q = if b < 0.0 { root - b } else { -b - root };
-            let (t0, t1) = (q / a, c / q);
-            let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
-            let t = if near { t_in } else { t_out };
-            let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
+            let (t, hit) = Roots::new(a, b, c, disc).hit(near);
             return Ok(Certified { hit, t, t_error: FILTER_ACCURACY * t });
         }
     }
     otherwise()
+}
+
+/// The roots of `a t^2 + 2 b t + c`, of which `disc` is not negative, and what they were made of.
+struct Roots {
+    /// `sqrt(disc)`.
+    root: f64,
+    /// `-b -+ sqrt(disc)`, with the sign that does not cancel.
+    q: f64,
+    t_in: f64,
+    t_out: f64,
+}
+
+impl Roots {
+    #[inline(always)]
+    fn new(a: f64, b: f64, c: f64, disc: f64) -> Self {
+        let root = disc.sqrt();
+        let q = if b < 0.0 { root - b } else { -b - root };
+        let (t0, t1) = (q / a, c / q);
+        let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
+        Roots { root, q, t_in, t_out }
+    }
+
+    /// The near or the far one.
+    #[inline(always)]
+    fn hit<R: Real>(&self, near: bool) -> (f64, SphereHit<R>) {
+        let t = if near { self.t_in } else { self.t_out };
+        (t, SphereHit { t: R::from_f64(t), t_in: R::from_f64(self.t_in), t_out: R::from_f64(self.t_out) })
+    }
 }
 
 /// A clear hit has `disc` above this times `r^2 a`, beyond the bound on its error ...
@@ -185,11 +208,9 @@ fn filtered<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<R
         let near = outside && b_is_certain && start == Start::Anywhere;
         let far = inside || (start == Start::OnSurfaceInward && b_is_certain && b < 0.0);
         if near || far {
-            let root = disc.sqrt();
-            let q = if b < 0.0 { root - b } else { -b - root };
-            let (t0, t1) = (q / a, c / q);
-            let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
-            let t = if near { t_in } else { t_out };
+            let roots = Roots::new(a, b, c, disc);
+            let (t, hit) = roots.hit(near);
+            let Roots { root, q, .. } = roots;
             let f_length = f_dot_f.sqrt();
             let disc_error = 8.0 * U * r_sq * a + 16.0 * U * r * a * f_length + 64.0 * U * U * f_sq_a;
             let q_error_times_root = 8.0 * U * f_length * a.sqrt() * root + disc_error;
@@ -197,7 +218,6 @@ fn filtered<R: Real>(ray: &Ray<R>, sphere: &Sphere<R>, start: Start) -> Option<R
             let c_error = if near == (b < 0.0) { c_bound / c.abs() } else { 0.0 };
             let t_error = t * (q_error_times_root / (root * q.abs()) + c_error + 8.0 * U);
             if t_error <= FILTER_ACCURACY * t {
-                let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
                 return Some(Ok(Certified { hit, t, t_error }));
             }
         }
@@ -312,18 +332,18 @@ impl KnownTerms {
         if c > 0.0 && b > 0.0 {
             return Err(Miss::Behind);
         }
-        let root = disc.sqrt();
-        let q = if b < 0.0 { root - b } else { -b - root };
-        // q = 0 is a tangent at the origin.
-        let (t0, t1) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
-        let (t_in, t_out) = if b < 0.0 { (t1, t0) } else { (t0, t1) };
         let near = c >= 0.0 && b <= 0.0 && start == Start::Anywhere;
-        // The sum turns -0 into 0.
-        let t = if near { t_in } else { t_out } + 0.0;
+        let mut roots = Roots::new(a, b, c, disc);
+        if roots.q == 0.0 {
+            // A tangent at the origin.
+            (roots.t_in, roots.t_out) = (0.0, 0.0);
+        }
+        // The sums turn -0 into 0.
+        (roots.t_in, roots.t_out) = (roots.t_in + 0.0, roots.t_out + 0.0);
+        let (t, hit) = roots.hit(near);
         // q sums two numbers of one sign, so its relative error is at most the larger of theirs, and the root halves
         // that of disc. The rest is a handful of roundings: the root, the sum, the quotient, 2 u in a.
         let t_error = t * (self.b.relative_error + self.c.relative_error + self.disc.relative_error + 8.0 * U);
-        let hit = SphereHit { t: R::from_f64(t), t_in: R::from_f64(t_in), t_out: R::from_f64(t_out) };
         Ok(Certified { hit, t, t_error })
     }
 }

@@ -29,6 +29,8 @@ pub use path::{Path, Segment};
 pub use pen::{Color, Dash, Pen};
 pub use place::{Placement, Wanted, around, cover};
 pub use rect::Rect;
+#[cfg(any(feature = "accuracy", feature = "cli"))]
+pub(crate) use svg::escape;
 pub use text::{Align, Level, Text, Words};
 
 /// A picture as a list of what was drawn, and where its labels are.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::scene::{Background, Camera, Limits, Material, MaterialId, Object, Pigment, Resolution, Rgb, Scene, Shape};
 
 /// A scene of these shapes, all of them mirrors.
-pub(super) fn scene(shapes: Vec<Shape>) -> Scene {
+pub(super) fn bare_scene(shapes: Vec<Shape>) -> Scene {
     let mirror = Material {
         name: "mirror".to_owned(),
         pigment: Pigment::Constant(Rgb::ONE),
