@@ -45,15 +45,15 @@ pub(super) fn draw(
     let mut order: Vec<&Shown<'_, '_>> = shown.iter().collect();
     order.sort_by(|a, b| a.ray.importance.total_cmp(&b.ray.importance));
     for ray in &order {
-        line(drawing, ray, theme);
+        drawing.about(&ray.ray.path, |drawing| line(drawing, ray, theme));
         taken.take_line(ray.from, ray.to);
     }
     for ray in order.iter().rev() {
-        mark(drawing, plane, ray, taken, theme);
+        drawing.about(&ray.ray.path, |drawing| mark(drawing, plane, ray, taken, theme));
     }
     name_the_ends(drawing, &shown, taken, theme);
     for (rank, ray) in order.iter().rev().enumerate() {
-        number(drawing, plane, ray, rank < SPELT_OUT, taken, theme);
+        drawing.about(&ray.ray.path, |drawing| number(drawing, plane, ray, rank < SPELT_OUT, taken, theme));
     }
 }
 
