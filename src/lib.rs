@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], [`steps`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 
@@ -31,6 +31,8 @@ pub mod hits;
 pub mod transport;
 
 pub mod tree;
+
+pub mod steps;
 
 #[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;
