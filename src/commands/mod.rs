@@ -8,6 +8,7 @@ mod effects;
 mod failure;
 mod files;
 mod gallery;
+mod inspect;
 mod options;
 mod output;
 mod picture;
@@ -49,6 +50,7 @@ enum Command {
     Ray(ray::Args),
     Diagram(diagram::Args),
     Sheet(sheet::Args),
+    Inspect(inspect::Args),
     Gallery(gallery::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
@@ -77,6 +79,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Ray(args) => ray::run(&args),
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
         Command::Gallery(args) => gallery::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),

@@ -15,7 +15,7 @@ mod text;
 
 use serde::{Deserialize, Serialize};
 
-pub use costs::{Cost, Costs};
+pub use costs::{Cost, Costs, Deepest};
 pub use ledger::{Entry, Ledger};
 pub use path::{Branch, NoSuchNode, NodePath};
 pub use record::{Keep, Origin, record_pixel, record_ray};
