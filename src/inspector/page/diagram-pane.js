@@ -53,7 +53,7 @@ export class DiagramPane {
         for (let k = step; k >= 0 && this.player.steps[k].node === node; k -= 1) {
             const diagram = this.player.steps[k].diagram;
             if (!diagram) continue;
-            const about = { kind: diagram.kind, node: path };
+            const about = { kind: diagram.kind, node: diagram.node === undefined ? path : this.player.nodes[diagram.node].path };
             if (diagram.shape !== undefined) about.shape = diagram.shape;
             if (diagram.primitive !== undefined) about.primitive = diagram.primitive;
             return { ...about, theme };
