@@ -24,7 +24,7 @@ use serde::Deserialize;
 use tokio::sync::Semaphore;
 
 use super::answer::{Answer, Refusal, bytes, json};
-use super::assets::asset;
+use super::assets;
 use super::bands::Bands;
 use super::description::Description;
 use super::diagram::{Wanted, svg};
@@ -73,7 +73,7 @@ fn nothing() -> Refusal {
 }
 
 fn file(name: &str) -> Response<Body> {
-    asset(name).map_or_else(|| nothing().into_response(), |(content, mime)| bytes(content, mime))
+    assets::find(name).map_or_else(|| nothing().into_response(), |asset| bytes(asset.bytes, asset.mime))
 }
 
 impl axum::response::IntoResponse for Refusal {
