@@ -17,7 +17,8 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], [`steps`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has the
+//! map.
 
 pub mod numbers;
 
@@ -31,6 +32,8 @@ pub mod hits;
 pub mod transport;
 
 pub mod tree;
+
+pub mod steps;
 
 #[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;

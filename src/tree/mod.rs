@@ -21,6 +21,7 @@ pub use path::{Branch, NoSuchNode, NodePath};
 pub use record::{Keep, Origin, record_pixel, record_ray};
 pub use steps::{BoundsRecord, ShapeRecord, TestRecord, Value, Verdict};
 pub use text::Show;
+pub(crate) use text::six_digits;
 
 use crate::input::{name, present};
 use crate::numbers::{Certificate, Precision};

@@ -55,6 +55,12 @@ impl NodePath {
         NodePath(self.0.iter().copied().chain([branch]).collect())
     }
 
+    /// The way to the parent; nothing at the root.
+    pub fn parent(&self) -> Option<Self> {
+        let (_, before) = self.0.split_last()?;
+        Some(NodePath(before.to_vec()))
+    }
+
     /// The node at the end of the way.
     ///
     /// # Errors
