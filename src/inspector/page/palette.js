@@ -17,9 +17,10 @@ export const STAGES = [
     ['expansion', 'by expansions'],
 ];
 
-/** What a custom property says in the theme that shows. */
+/** What a custom property says in the theme that shows. Each is written `light-dark(LIGHT, DARK)`. */
 export function cssColor(name) {
-    return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+    const both = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`);
+    return both.match(/#\w+/g)[document.documentElement.dataset.theme === 'dark' ? 1 : 0];
 }
 
 /** `#rrggbb` as numbers from 0 to 1. */
