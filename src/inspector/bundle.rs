@@ -54,7 +54,9 @@ fn style() -> String {
     fonts.fold(text("style.css").to_owned(), |style, font| {
         let place = format!("url(\"{}\")", font.name);
         match style.contains(&place) {
-            true => style.replace(&place, &format!("url(data:{};base64,{})", font.mime, BASE64_STANDARD.encode(font.bytes))),
+            true => {
+                style.replace(&place, &format!("url(data:{};base64,{})", font.mime, BASE64_STANDARD.encode(font.bytes)))
+            }
             false => style,
         }
     })

@@ -70,6 +70,11 @@ impl Inspector {
         })
     }
 
+    /// How many pixels a page keeps.
+    pub fn count(&self, kept: &Kept) -> u64 {
+        pixels(self.scene(), kept).map_or(0, |pixels| pixels.len() as u64)
+    }
+
     /// The scene that was given.
     pub fn scene(&self) -> &Scene {
         &self.first().loaded.scene

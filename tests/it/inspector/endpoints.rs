@@ -87,7 +87,8 @@ fn the_scene_as_it_is() {
     assert_eq!(scene["lights"][0]["name"], loaded.scene.lights[0].name);
     assert_eq!(scene["lights"][0]["position"].as_array().unwrap().len(), 3);
     // The middle of the image plane lies straight ahead; its corners are as far apart as the picture is wide and high.
-    let corner = |i: usize| glam::DVec3::from_array(serde_json::from_value(scene["camera"]["corners"][i].clone()).unwrap());
+    let corner =
+        |i: usize| glam::DVec3::from_array(serde_json::from_value(scene["camera"]["corners"][i].clone()).unwrap());
     let camera = loaded.scene.camera;
     let middle = (corner(0) + corner(2)) / 2.0;
     assert!((middle - camera.eye - camera.forward).length() < 1e-12);
@@ -144,13 +145,20 @@ fn overlays_are_what_it_took() {
             assert_eq!(tests[at], tracer.pixel(x, y, &Cost).1.tests as f32, "{x},{y}");
             assert_eq!(depth[at], traced.map(|node| node.depth).max().unwrap() as f32, "{x},{y}");
             let decided = match tree.root.outcome {
-                Outcome::Hit => Stage::ALL.iter().position(|s| *s == tree.root.certificate.unwrap().stage).unwrap() as f32,
+                Outcome::Hit => {
+                    Stage::ALL.iter().position(|s| *s == tree.root.certificate.unwrap().stage).unwrap() as f32
+                }
                 _ => -1.0,
             };
             assert_eq!(stage[at], decided, "{x},{y}");
         }
     }
-    assert!(rays.iter().any(|x| *x > 10.0) && depth.iter().any(|x| *x > 2.0) && stage.contains(&0.0) && stage.contains(&-1.0));
+    assert!(
+        rays.iter().any(|x| *x > 10.0)
+            && depth.iter().any(|x| *x > 2.0)
+            && stage.contains(&0.0)
+            && stage.contains(&-1.0)
+    );
     assert!(overlay("time").iter().all(|x| *x > 0.0));
     let plain = site.posted(&text, &json!({ "numerics": "lecture" }));
     assert!(site.get(&format!("/api/scenes/{plain}/overlay?kind=stage")).json()["why"].is_string());
@@ -185,11 +193,19 @@ fn recordings_and_diagrams_are_those_of_the_library() {
                             let answer = site.get(&format!("/api/scenes/{id}/diagram?{query}"));
                             match diagram(kind, &input, colors) {
                                 Ok(drawing) => {
-                                    assert_eq!((answer.status, answer.text()), (200, drawing.to_svg().unwrap()), "{query}");
+                                    assert_eq!(
+                                        (answer.status, answer.text()),
+                                        (200, drawing.to_svg().unwrap()),
+                                        "{query}"
+                                    );
                                     assert_eq!(answer.header("content-type"), Some("image/svg+xml"));
                                 }
                                 Err(not) => {
-                                    assert_eq!((answer.status, &answer.json()["why"]), (422, &json!(not.why)), "{query}");
+                                    assert_eq!(
+                                        (answer.status, &answer.json()["why"]),
+                                        (422, &json!(not.why)),
+                                        "{query}"
+                                    );
                                 }
                             }
                         }

@@ -13,7 +13,9 @@ fn get(site: &Site, path: &str, headers: &str) -> Answer {
 fn only_its_own_names_are_answered_for() {
     let site = Site::of(SCENE);
     let port = site.port;
-    for host in [format!("127.0.0.1:{port}"), format!("localhost:{port}"), format!("LOCALHOST:{port}"), format!("[::1]:{port}")] {
+    for host in
+        [format!("127.0.0.1:{port}"), format!("localhost:{port}"), format!("LOCALHOST:{port}"), format!("[::1]:{port}")]
+    {
         assert_eq!(get(&site, "/api/scene", &format!("Host: {host}\r\n")).status, 200, "{host}");
     }
     let other = port ^ 1;
@@ -57,7 +59,9 @@ fn pages_of_others_get_nothing() {
     for own in [format!("http://127.0.0.1:{port}"), format!("http://localhost:{port}")] {
         assert_eq!(get(&site, "/api/scene", &format!("{host}Origin: {own}\r\n")).status, 200, "{own}");
     }
-    for other in ["null", "http://evil.example", "https://127.0.0.1", "http://127.0.0.1", "http://127.0.0.1:1", "file://", ""] {
+    for other in
+        ["null", "http://evil.example", "https://127.0.0.1", "http://127.0.0.1", "http://127.0.0.1:1", "file://", ""]
+    {
         assert_eq!(get(&site, "/api/scene", &format!("{host}Origin: {other}\r\n")).status, 403, "{other:?}");
     }
     for (from, status) in [("same-origin", 200), ("none", 200), ("cross-site", 403), ("same-site", 403), ("", 403)] {
@@ -70,9 +74,11 @@ fn pages_of_others_get_nothing() {
 #[test]
 fn a_post_says_that_it_means_it() {
     let site = Site::of(SCENE);
-    let body = serde_json::json!({ "text": std::fs::read_to_string(SCENE).unwrap(), "settings": NO_SETTINGS }).to_string();
+    let body =
+        serde_json::json!({ "text": std::fs::read_to_string(SCENE).unwrap(), "settings": NO_SETTINGS }).to_string();
     let post = |headers: &str| {
-        let head = format!("POST /api/scenes HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nContent-Length: {}\r\n", site.port, body.len());
+        let head =
+            format!("POST /api/scenes HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nContent-Length: {}\r\n", site.port, body.len());
         client::ask(site.port, format!("{head}{headers}Connection: close\r\n\r\n{body}")).status
     };
     assert_eq!(post("X-Raytree: 1\r\nContent-Type: application/json\r\n"), 200);

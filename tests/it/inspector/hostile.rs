@@ -130,9 +130,16 @@ fn request(dice: &mut Dice, port: u16, id: &str, scene: &str) -> Vec<u8> {
         2 => format!("/{}", "../".repeat(dice.below(30))) + dice.of(&["etc/passwd", "Cargo.toml", "proc/self/environ"]),
         3 => "/api/scene".to_owned(),
         4 => format!("/api/scenes/{id}/recording?x={x}&y={y}"),
-        5 => format!("/api/scenes/{id}/diagram?x={x}&y={y}&kind={}&node={}", dice.of(&["tree", "box", "", "%ff"]), dice.number()),
+        5 => format!(
+            "/api/scenes/{id}/diagram?x={x}&y={y}&kind={}&node={}",
+            dice.of(&["tree", "box", "", "%ff"]),
+            dice.number()
+        ),
         6 => format!("/api/scenes/{id}/overlay?kind={}", dice.of(&["rays", "stage", "", "RAYS", "rays&kind=rays"])),
-        7 => format!("/api/scenes/{id}/{}", dice.of(&["render", "geometry", "export?pixel=x", "difference?x=1", "%2e%2e"])),
+        7 => format!(
+            "/api/scenes/{id}/{}",
+            dice.of(&["render", "geometry", "export?pixel=x", "difference?x=1", "%2e%2e"])
+        ),
         8 => format!("/api/scenes/{id}/diagram?{}", "a=b&".repeat(dice.below(400))),
         9 => "/".repeat(dice.below(9000)),
         10 => format!("http://{host}/api/scene"),
@@ -141,7 +148,8 @@ fn request(dice: &mut Dice, port: u16, id: &str, scene: &str) -> Vec<u8> {
     let method = dice.of(&["GET", "GET", "GET", "HEAD", "PUT", "OPTIONS", "CONNECT", "get", "", "\u{0}"]);
     match dice.below(10) {
         0 => dice.bytes(300),
-        1 => format!("{method} {target} HTTP/{}\r\nHost: {host}\r\n\r\n", dice.of(&["1.0", "2.0", "1.1", "9", ""])).into_bytes(),
+        1 => format!("{method} {target} HTTP/{}\r\nHost: {host}\r\n\r\n", dice.of(&["1.0", "2.0", "1.1", "9", ""]))
+            .into_bytes(),
         2 => {
             let header = dice.of(&["X", "Host", "Origin", "Cookie", "Range", "Expect", "Upgrade", "\u{1}", ""]);
             let value = "v".repeat(dice.below(40_000));
@@ -165,7 +173,9 @@ fn request(dice: &mut Dice, port: u16, id: &str, scene: &str) -> Vec<u8> {
             let length = match dice.below(8) {
                 0 => format!("Content-Length: {}\r\n", dice.number()),
                 1 => "Transfer-Encoding: chunked\r\n".to_owned(),
-                2 => format!("Content-Length: {0}\r\nContent-Length: {0}\r\nTransfer-Encoding: chunked\r\n", body.len()),
+                2 => {
+                    format!("Content-Length: {0}\r\nContent-Length: {0}\r\nTransfer-Encoding: chunked\r\n", body.len())
+                }
                 _ => format!("Content-Length: {}\r\n", body.len()),
             };
             let mark = if dice.below(9) == 0 { "" } else { "X-Raytree: 1\r\n" };

@@ -47,7 +47,10 @@ impl Site {
 
     /// What `GET` gives.
     fn get(&self, path: &str) -> Answer {
-        client::ask(self.port, format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port))
+        client::ask(
+            self.port,
+            format!("GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", self.port),
+        )
     }
 
     /// What a good `GET` gives.

@@ -153,7 +153,8 @@ fn bodies_have_a_limit() {
     assert_eq!(status(&post(usize::MAX, b"", "")), "HTTP/1.1 413");
     // Spaces are JSON as well: the largest body is read and found to be no scene.
     assert_eq!(status(&post(1 << 20, &vec![b' '; 1 << 20], "")), "HTTP/1.1 400");
-    let chunk = [format!("{:x}\r\n", (1 << 20) + 1).into_bytes(), vec![b' '; (1 << 20) + 1], b"\r\n0\r\n\r\n".to_vec()].concat();
+    let chunk = [format!("{:x}\r\n", (1 << 20) + 1).into_bytes(), vec![b' '; (1 << 20) + 1], b"\r\n0\r\n\r\n".to_vec()]
+        .concat();
     let told = status(&post(0, &chunk, "Transfer-Encoding: chunked\r\n"));
     // The connection may end before all was sent, and what was told be lost with it.
     assert!(told == "HTTP/1.1 413" || told.is_empty(), "{told}");

@@ -33,7 +33,14 @@ fn a_bad_text_is_told_where_it_is_bad_and_the_server_lives_on() {
     assert_eq!(told["path"], "objects[0].shape.sphere.radus");
     let (line, column) = (told["line"].as_u64().unwrap() as usize, told["column"].as_u64().unwrap() as usize);
     let text = good.replacen("\"radius\"", "\"radus\"", 1);
-    let at: String = text.lines().nth(line - 1).unwrap().chars().skip(column - 1).take(told["length"].as_u64().unwrap() as usize).collect();
+    let at: String = text
+        .lines()
+        .nth(line - 1)
+        .unwrap()
+        .chars()
+        .skip(column - 1)
+        .take(told["length"].as_u64().unwrap() as usize)
+        .collect();
     assert_eq!(at, "\"radus\"");
     // Columns and lengths are in characters, whatever stands in front.
     let told = problem("{ \"about\": \"äöü€𝄞\", \"imäge\": 1 }");
@@ -46,9 +53,20 @@ fn a_bad_text_is_told_where_it_is_bad_and_the_server_lives_on() {
     huge["image"] = json!({ "width": 1 << 13, "height": 1 << 13 });
     huge.as_object_mut().unwrap().remove("pixels");
     let told = problem(&huge.to_string());
-    assert!(told["message"].as_str().unwrap().contains("too large to be inspected") && told["path"] == "image", "{told}");
+    assert!(
+        told["message"].as_str().unwrap().contains("too large to be inspected") && told["path"] == "image",
+        "{told}"
+    );
     // What is no post of a scene at all is the client's own fault.
-    for body in ["", "{}", "[]", "{\"text\": 1}", "{\"text\": \"\", \"settings\": {\"depth\": 1}}", "\u{0}", "{\"text\": \"\"} x"] {
+    for body in [
+        "",
+        "{}",
+        "[]",
+        "{\"text\": 1}",
+        "{\"text\": \"\", \"settings\": {\"depth\": 1}}",
+        "\u{0}",
+        "{\"text\": \"\"} x",
+    ] {
         let request = format!(
             "POST /api/scenes HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nX-Raytree: 1\r\nContent-Type: application/json\r\n\
              Content-Length: {}\r\nConnection: close\r\n\r\n{body}",
@@ -65,20 +83,35 @@ fn meshes_come_from_memory_alone() {
     let site = Site::of("scenes/mesh.json");
     let text = std::fs::read_to_string("scenes/mesh.json").unwrap();
     let value: Value = serde_json::from_str(&text).unwrap();
-    let places: Vec<usize> =
-        (0..value["objects"].as_array().unwrap().len()).filter(|&i| !value["objects"][i]["shape"]["mesh"].is_null()).collect();
+    let places: Vec<usize> = (0..value["objects"].as_array().unwrap().len())
+        .filter(|&i| !value["objects"][i]["shape"]["mesh"].is_null())
+        .collect();
     let own = value["objects"][places[0]]["shape"]["mesh"]["file"].as_str().unwrap().to_owned();
     site.posted(&value.to_string(), &NO_SETTINGS);
     let absolute = std::fs::canonicalize(format!("scenes/{own}")).unwrap().to_str().unwrap().to_owned();
     let near = format!("./{own}");
     let dotted = format!("meshes/../{own}");
-    for name in ["/etc/passwd", "/etc/passwd.obj", "../x", "../x.obj", "meshes/gem.obj", "", "\u{0}.obj", &absolute, &near, &dotted] {
+    for name in [
+        "/etc/passwd",
+        "/etc/passwd.obj",
+        "../x",
+        "../x.obj",
+        "meshes/gem.obj",
+        "",
+        "\u{0}.obj",
+        &absolute,
+        &near,
+        &dotted,
+    ] {
         let mut other = value.clone();
         other["objects"][places[0]]["shape"]["mesh"]["file"] = json!(name);
         let answer = site.post(&other.to_string(), &NO_SETTINGS);
         assert_eq!(answer.status, 422, "{name:?}");
         let message = answer.json()["problem"]["message"].as_str().unwrap().to_owned();
-        assert!(message.contains("the meshes that the scene named") || message.contains("neither an OBJ nor a PLY"), "{message}");
+        assert!(
+            message.contains("the meshes that the scene named") || message.contains("neither an OBJ nor a PLY"),
+            "{message}"
+        );
         assert!(!answer.text().contains("root:"), "{name:?}");
     }
     // The same mesh again and again is memory too.
