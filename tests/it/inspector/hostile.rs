@@ -230,7 +230,7 @@ fn ten_thousand_hostile_requests() {
             fine += u32::from(status == "200");
         }
     }
-    assert!(answered > 5_000 && fine > 500, "{answered} answers, {fine} of them fine");
+    assert!(answered > 5_000 && fine > 200, "{answered} answers, {fine} of them fine");
     if let (Some(before), Some(after)) = (before, served.memory()) {
         // What an allocator keeps varies; a request that left 10 KiB behind would add 80 MiB.
         assert!(after < before + 16 * 1024, "{before} KiB became {after} KiB");

@@ -62,7 +62,11 @@ impl Site {
 
     /// What posting a scene's text with settings gives.
     fn post(&self, text: &str, settings: &serde_json::Value) -> Answer {
-        let body = serde_json::json!({ "text": text, "settings": settings }).to_string();
+        let body = match settings {
+            &NO_SETTINGS => serde_json::json!({ "text": text }),
+            settings => serde_json::json!({ "text": text, "settings": settings }),
+        };
+        let body = body.to_string();
         let head = format!(
             "POST /api/scenes HTTP/1.1\r\nHost: localhost:{}\r\nX-Raytree: 1\r\nContent-Type: application/json\r\n\
              Content-Length: {}\r\nConnection: close\r\n\r\n",
@@ -104,7 +108,7 @@ fn soon(what: &str, holds: impl Fn() -> bool) {
     }
 }
 
-const NO_SETTINGS: serde_json::Value = serde_json::Value::Object(serde_json::Map::new());
+const NO_SETTINGS: serde_json::Value = serde_json::Value::Null;
 
 /// A scene of which every pixel takes practically for ever.
 fn endless() -> String {

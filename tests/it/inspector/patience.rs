@@ -150,7 +150,7 @@ fn bodies_have_a_limit() {
     };
     let status = |bytes: &[u8]| String::from_utf8_lossy(&bytes[..bytes.len().min(12)]).into_owned();
     assert_eq!(status(&post((1 << 20) + 1, b"", "")), "HTTP/1.1 413");
-    assert_eq!(status(&post(usize::MAX, b"", "")), "HTTP/1.1 413");
+    assert_eq!(status(&post(1 << 40, b"", "")), "HTTP/1.1 413");
     // Spaces are JSON as well: the largest body is read and found to be no scene.
     assert_eq!(status(&post(1 << 20, &vec![b' '; 1 << 20], "")), "HTTP/1.1 400");
     let chunk = [format!("{:x}\r\n", (1 << 20) + 1).into_bytes(), vec![b' '; (1 << 20) + 1], b"\r\n0\r\n\r\n".to_vec()]
