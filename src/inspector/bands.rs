@@ -4,15 +4,15 @@
 //! only one band of all clients at a time, so that none waits for another's whole picture.
 
 use std::future::Future;
+use std::num::NonZero;
 use std::pin::Pin;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::task::{Context, Poll};
 use std::time::{Duration, Instant};
 
 use axum::body::{Body, Bytes};
 use hyper::body::{Body as HttpBody, Frame};
-use rayon::prelude::{IndexedParallelIterator, ParallelIterator, ParallelSliceMut};
 
 use super::answer::Refusal;
 use super::scenes::{Held, Inspector};
@@ -50,34 +50,52 @@ impl Rest {
         let scene = Arc::clone(&self.scene);
         let (show, first) = (self.show, self.next);
         let rows = self.rows.min(scene.loaded.scene.image.height - first);
-        let start = Instant::now();
-        let work = move |stop: &AtomicBool| (band(&scene, show, first, rows, stop), start.elapsed());
-        let (bytes, _) = self.inspector.work().band(work).await?;
-        let took = start.elapsed().as_secs_f64().max(1e-6);
-        let fitting = f64::from(rows) * BAND.as_secs_f64() / took;
-        self.rows = (fitting as u32).clamp(1, rows * 4).max(rayon::current_num_threads() as u32);
+        let work = move |stop: &AtomicBool| {
+            // The time it takes, not the time it waits for its turn.
+            let start = Instant::now();
+            (band(&scene, show, first, rows, stop), start.elapsed())
+        };
+        let (bytes, took) = self.inspector.work().band(work).await?;
+        let fitting = f64::from(rows) * BAND.as_secs_f64() / took.as_secs_f64().max(1e-6);
+        self.rows = (fitting as u32).clamp(1, rows * 4).max(cores() as u32);
         self.next += rows;
         Ok((bytes.into(), self))
     }
 }
 
-fn band(held: &Held, show: Show, first: u32, rows: u32, stop: &AtomicBool) -> Vec<u8> {
+/// Rows with their number in front.
+fn band(held: &Held, show: Show, first: u32, count: u32, stop: &AtomicBool) -> Vec<u8> {
+    [&first.to_le_bytes(), &count.to_le_bytes(), rows(held, show, first, count, stop).as_slice()].concat()
+}
+
+/// Four bytes for every pixel of some rows, traced on all cores; zeros for what was not done when `stop` was set.
+pub(super) fn rows(held: &Held, show: Show, first: u32, count: u32, stop: &AtomicBool) -> Vec<u8> {
     let scene = &held.loaded.scene;
     let tracer = held.world.tracer(scene, held.options, stop);
     let row_bytes = scene.image.width as usize * 4;
-    let mut bytes = vec![0; 8 + rows as usize * row_bytes];
-    let (head, body) = bytes.split_at_mut(8);
-    head[..4].copy_from_slice(&first.to_le_bytes());
-    head[4..].copy_from_slice(&rows.to_le_bytes());
-    body.par_chunks_mut(row_bytes).enumerate().for_each(|(y, row)| {
-        for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
-            if stop.load(Ordering::Relaxed) {
-                return;
-            }
-            pixel.copy_from_slice(&tracer.show(show, x as u32, first + y as u32));
+    let mut bytes = vec![0; count as usize * row_bytes];
+    let left = Mutex::new(bytes.chunks_mut(row_bytes).enumerate());
+    let next = || left.lock().unwrap_or_else(PoisonError::into_inner).next();
+    // Threads of its own: the system shares the cores between these and those of other clients.
+    std::thread::scope(|scope| {
+        for _ in 0..cores().min(count as usize) {
+            scope.spawn(|| {
+                while let Some((y, row)) = next() {
+                    for (x, pixel) in row.chunks_exact_mut(4).enumerate() {
+                        if stop.load(Ordering::Relaxed) {
+                            return;
+                        }
+                        pixel.copy_from_slice(&tracer.show(show, x as u32, first + y as u32));
+                    }
+                }
+            });
         }
     });
     bytes
+}
+
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, NonZero::get)
 }
 
 impl HttpBody for Bands {

@@ -9,8 +9,10 @@
 mod answer;
 mod assets;
 mod bands;
+mod bundle;
 mod description;
 mod diagram;
+mod export;
 mod geometry;
 mod guard;
 mod patience;
@@ -22,5 +24,6 @@ mod server;
 mod tracing;
 mod work;
 
+pub use export::Kept;
 pub use scenes::{Inspector, Settings};
 pub use server::{Limits, serve};

@@ -10,6 +10,7 @@
 //! | `GET /api/scenes/ID/overlay?kind=` | bands of one f32 a pixel: `rays`, `depth`, `tests`, `stage`, `time` |
 //! | `GET /api/scenes/ID/recording?x=&y=` | the recording of a pixel |
 //! | `GET /api/scenes/ID/diagram?x=&y=&kind=&node=` | SVG, or 422 with `why`; also `shape`, `primitive`, `theme` |
+//! | `GET /api/scenes/ID/export`, `?pixel=x,y` | the page as one file with some pixels, else with those that have names |
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,16 +19,17 @@ use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::{Path, RawQuery, State};
 use axum::routing::{get, post};
-use hyper::header::CONTENT_LENGTH;
+use hyper::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, HeaderValue};
 use hyper::{HeaderMap, Request, Response, StatusCode};
 use serde::Deserialize;
 use tokio::sync::Semaphore;
 
 use super::answer::{Answer, Refusal, bytes, json};
-use super::assets::asset;
+use super::assets;
 use super::bands::Bands;
 use super::description::Description;
 use super::diagram::{Wanted, svg};
+use super::export::{self, Kept};
 use super::geometry::Geometry;
 use super::query::Query;
 use super::recording;
@@ -38,6 +40,7 @@ use crate::numbers::Precision;
 use crate::pictures::diagrams::Chosen;
 use crate::pictures::theme::Theme;
 use crate::scene::Numerics;
+use crate::steps::Recording;
 
 /// A scene text and what surrounds it, at most: 1 MiB.
 pub(super) const LARGEST_BODY: usize = 1 << 20;
@@ -64,6 +67,7 @@ pub(super) fn routes(inspector: Arc<Inspector>, body_timeout: Duration) -> Route
         .route("/api/scenes/{id}/overlay", get(overlay))
         .route("/api/scenes/{id}/recording", get(recording))
         .route("/api/scenes/{id}/diagram", get(diagram))
+        .route("/api/scenes/{id}/export", get(export_page))
         .fallback(async || nothing().into_response())
         .with_state(Site { inspector, bodies: Arc::new(Semaphore::new(BODIES)), body_timeout })
 }
@@ -73,7 +77,7 @@ fn nothing() -> Refusal {
 }
 
 fn file(name: &str) -> Response<Body> {
-    asset(name).map_or_else(|| nothing().into_response(), |(content, mime)| bytes(content, mime))
+    assets::find(name).map_or_else(|| nothing().into_response(), |asset| bytes(asset.bytes, asset.mime))
 }
 
 impl axum::response::IntoResponse for Refusal {
@@ -187,7 +191,7 @@ async fn recording(State(site): State<Site>, Path(id): Path<String>, RawQuery(qu
     let inspector = Arc::clone(&site.inspector);
     let work = move |stop: &_| {
         let tree = recording::tree(&inspector, &held, pixel, stop)?;
-        Ok(json(StatusCode::OK, &tree.tree))
+        Ok(json(StatusCode::OK, &Recording::of(&held.loaded.scene, &tree.tree)))
     };
     site.inspector.work().quick(work).await?
 }
@@ -219,4 +223,39 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
         Ok(bytes(svg, "image/svg+xml"))
     };
     site.inspector.work().quick(work).await?
+}
+
+/// Pixels that one request may have kept.
+const MOST_KEPT: usize = 64;
+
+async fn export_page(State(site): State<Site>, Path(id): Path<String>, RawQuery(query): RawQuery) -> Answer {
+    let held = site.scene(&id)?;
+    let place = |word: &str| {
+        let (x, y) = word.split_once(',')?;
+        Some([x.parse().ok()?, y.parse().ok()?])
+    };
+    let query = Query::parse(query.as_deref(), &["pixel"])?;
+    let drawn: Option<Vec<[u32; 2]>> = query.all("pixel").map(place).collect();
+    let mut drawn = drawn.ok_or_else(|| Refusal::bad("not a pixel where one belongs", "pixel=x,y"))?;
+    if drawn.is_empty() {
+        drawn.extend(held.loaded.scene.pixels.iter().map(|(_, pixel)| *pixel));
+    }
+    if drawn.len() > MOST_KEPT {
+        return Err(Refusal::bad("too many pixels for one page", "at most 64; `raytree inspect --export` takes more"));
+    }
+    let name = HeaderValue::try_from(format!("attachment; filename=\"{}.html\"", file_name(&held.loaded.file)));
+    let work = move |stop: &_| export::page(&held, &Kept { drawn, all: false }, &|| {}, stop);
+    // Nothing comes back only where nobody waits.
+    let page = site.inspector.work().quick(work).await??.unwrap_or_default();
+    let mut response = bytes(page, "text/html; charset=utf-8");
+    response.headers_mut().extend(name.ok().map(|name| (CONTENT_DISPOSITION, name)));
+    Ok(response)
+}
+
+/// The scene's name for a file: letters, digits and hyphens.
+fn file_name(scene: &str) -> String {
+    let name = scene.rsplit(['/', '\\']).next().unwrap_or(scene);
+    let name = name.strip_suffix(".json").unwrap_or(name);
+    let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    if plain.trim_matches('-').is_empty() { "scene".to_owned() } else { plain }
 }

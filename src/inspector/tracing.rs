@@ -7,7 +7,7 @@ use std::time::Instant;
 use crate::hits::{Departure, Limit, World};
 use crate::input::Problem;
 use crate::numbers::{Precision, Real};
-use crate::pictures::srgb8;
+use crate::pictures::{Film, render, srgb8};
 use crate::scene::{Limits, Loaded, Scene};
 use crate::transport::{Options, Tracer};
 use crate::tree::{Cost, Costs, Deepest, Keep, Origin, RayTree, record_pixel};
@@ -45,6 +45,12 @@ pub(super) enum Show {
     Stage,
     /// Nanoseconds that it took.
     Time,
+}
+
+impl Show {
+    /// The overlays that are the same every time, by name.
+    pub(super) const KEPT: [(&'static str, Show); 4] =
+        [("rays", Show::Rays), ("depth", Show::Depth), ("tests", Show::Tests), ("stage", Show::Stage)];
 }
 
 impl AnyWorld {
@@ -91,6 +97,14 @@ impl AnyTracer<'_> {
         match self {
             Self::F32(tracer) => shown(tracer, show, x, y),
             Self::F64(tracer) => shown(tracer, show, x, y),
+        }
+    }
+
+    /// The picture, unless it is stopped.
+    pub(super) fn film(&self, stop: &AtomicBool) -> Option<Film> {
+        match self {
+            Self::F32(tracer) => render(tracer, &|| {}, stop),
+            Self::F64(tracer) => render(tracer, &|| {}, stop),
         }
     }
 

@@ -2,26 +2,35 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Duration;
 
-use tokio::sync::Semaphore;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::task::JoinHandle;
+use tokio::time::timeout;
 
 use super::answer::Refusal;
 
-/// Pieces of work for one pixel or one text that go on at a time.
-const QUICK: usize = 16;
+/// Pieces of work of each sort that go on at a time.
+const MOST: usize = 16;
+/// How long work on all cores has them for itself.
+const TURN: Duration = Duration::from_millis(250);
 
 /// The turns that work takes.
 #[derive(Debug)]
 pub(super) struct Work {
+    /// For one pixel or one text, on one thread.
     quick: Arc<Semaphore>,
-    /// One band of rows at a time, on all cores: pictures that are asked for together grow together.
-    band: Arc<Semaphore>,
+    /// For rows of a picture, on all cores.
+    bands: Arc<Semaphore>,
+    /// Pictures that are asked for together grow together, a band of each in turn.
+    turn: Arc<Semaphore>,
     running: Arc<AtomicUsize>,
 }
 
 impl Default for Work {
     fn default() -> Self {
-        Self { quick: Arc::new(Semaphore::new(QUICK)), band: Arc::new(Semaphore::new(1)), running: Arc::default() }
+        let places = |count| Arc::new(Semaphore::new(count));
+        Self { quick: places(MOST), bands: places(MOST), turn: places(1), running: Arc::default() }
     }
 }
 
@@ -37,33 +46,46 @@ impl Work {
         T: Send + 'static,
         F: FnOnce(&AtomicBool) -> T + Send + 'static,
     {
-        self.run(&self.quick, work).await
+        let (_waiting, done) = self.start(place(&self.quick).await?, work);
+        done.await.map_err(|_| Refusal::broken())
     }
 
-    /// Runs work that uses all cores for a short while.
+    /// Runs work that uses all cores, and is meant to take them for a short while. If it takes longer, others get their turn.
     pub(super) async fn band<T, F>(&self, work: F) -> Result<T, Refusal>
     where
         T: Send + 'static,
         F: FnOnce(&AtomicBool) -> T + Send + 'static,
     {
-        self.run(&self.band, work).await
+        let place_of_band = place(&self.bands).await?;
+        let turn = place(&self.turn).await?;
+        let (_waiting, mut done) = self.start(place_of_band, work);
+        let in_turn = timeout(TURN, &mut done).await;
+        drop(turn);
+        match in_turn {
+            Ok(done) => done,
+            Err(_) => done.await,
+        }
+        .map_err(|_| Refusal::broken())
     }
 
-    async fn run<T, F>(&self, turns: &Arc<Semaphore>, work: F) -> Result<T, Refusal>
+    fn start<T, F>(&self, place: OwnedSemaphorePermit, work: F) -> (Waiting, JoinHandle<T>)
     where
         T: Send + 'static,
         F: FnOnce(&AtomicBool) -> T + Send + 'static,
     {
-        let turn = Arc::clone(turns).acquire_owned().await.map_err(|_| Refusal::broken())?;
         let waiting = Waiting(Arc::default());
         let stop = Arc::clone(&waiting.0);
         let counted = Counted::new(&self.running);
         let done = tokio::task::spawn_blocking(move || {
-            let _held = (turn, counted);
+            let _held = (place, counted);
             work(&stop)
         });
-        done.await.map_err(|_| Refusal::broken())
+        (waiting, done)
     }
+}
+
+async fn place(places: &Arc<Semaphore>) -> Result<OwnedSemaphorePermit, Refusal> {
+    Arc::clone(places).acquire_owned().await.map_err(|_| Refusal::broken())
 }
 
 /// Somebody waits for a piece of work; once dropped, nobody does.

@@ -10,6 +10,7 @@ mod effects;
 mod first_hit;
 mod fuzz;
 mod hard_rows;
+mod inspector;
 mod kernels;
 mod ledger;
 mod media;
