@@ -17,6 +17,7 @@ mod ray;
 mod render;
 mod schema;
 mod sheet;
+mod step;
 
 use std::ffi::OsString;
 
@@ -47,6 +48,7 @@ enum Command {
     Render(render::Args),
     Pixel(pixel::Args),
     Ray(ray::Args),
+    Step(step::Args),
     Diagram(diagram::Args),
     Sheet(sheet::Args),
     Gallery(gallery::Args),
@@ -75,6 +77,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Render(args) => render::run(&args),
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
+        Command::Step(args) => step::run(&args),
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
         Command::Gallery(args) => gallery::run(&args),
