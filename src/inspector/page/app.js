@@ -270,7 +270,7 @@ class Inspector {
     async present() {
         const { step, node, player } = this;
         const hidesLater = this.predictor.isOn;
-        this.controls.show(step, this.words());
+        this.controls.show(step, this.words(), hidesLater);
         this.code.show(step);
         this.tree.show(step, node, hidesLater);
         this.tests.show(step, node, hidesLater);
@@ -292,12 +292,18 @@ class Inspector {
     words() {
         const { node, line, verdict } = this.player.steps[this.step];
         const code = this.player.pseudocode[line];
-        return [code?.procedure, this.player.nodes[node].path, verdict?.words].filter(Boolean).join(', ');
+        return [code?.procedure, this.nodeName(node), verdict?.words].filter(Boolean).join(', ');
+    }
+
+    /** What a ray is and what became of it; while one predicts, only what is known already. */
+    nodeName(node) {
+        const { name, ray } = this.player.nodes[node];
+        return this.predictor.isOn && !this.player.isDecided(node, this.step) ? `${ray.kind} ray` : name;
     }
 
     status() {
         const { node, line, verdict } = this.player.steps[this.step];
-        const parts = [make('b', { text: this.player.pseudocode[line]?.procedure ?? '' }), `  ${this.player.nodes[node].name ?? this.player.nodes[node].path}`];
+        const parts = [make('b', { text: this.player.pseudocode[line]?.procedure ?? '' }), `  ${this.nodeName(node)}`];
         if (verdict) parts.push('  \u2013  ', make('span', { class: verdict.ok ? 'good-word' : 'bad-word', text: verdict.words }));
         byId('status').replaceChildren(...parts);
     }
