@@ -19,7 +19,7 @@ class Inspector {
     constructor() {
         this.api = openApi();
         this.render = new RenderPane({
-            onPixel: (x, y, isPassing) => this.choosePixel(x, y, { isPassing }),
+            onPixel: (x, y, isPassing, isArrow) => this.wishPixel(x, y, isPassing, isArrow),
             onOverlay: (kind) => this.showOverlay(kind),
         });
         this.tree = new TreePane({ onNode: (node) => this.chooseNode(node) });
@@ -57,6 +57,7 @@ class Inspector {
             this.whatIf.start(scene);
             this.setScene(scene);
             this.startRender();
+            if (!this.api.canTrace) this.render.markKept(this.api.pixels());
             await this.openAddress(true);
         } catch (error) {
             this.wall(error);
@@ -130,6 +131,12 @@ class Inspector {
         } catch (error) {
             if (!signal.aborted) this.say(error.message);
         }
+    }
+
+    /** Chooses a pixel; in an exported page the one that is kept and lies nearest. */
+    wishPixel(x, y, isPassing, isArrow) {
+        const pixel = this.api.keepsPixel(x, y) ? [x, y] : this.api.nearestKept([x, y], this.pixel, isArrow);
+        if (this.api.canTrace || pixel.join() !== this.pixel.join()) this.choosePixel(...pixel, { isPassing });
     }
 
     /** Chooses a pixel: one recording is under way at a time, and only the newest wish waits. */
@@ -336,7 +343,8 @@ class Inspector {
         const kept = this.api.pixels?.();
         if (pixel && kept && !this.api.keepsPixel(...pixel)) pixel = undefined;
         if (!pixel && !isFirst) return;
-        const first = kept?.[0] ?? (this.scene.pixels[0] ? [this.scene.pixels[0].x, this.scene.pixels[0].y] : [width >> 1, height >> 1]);
+        const named = this.scene.pixels.map((one) => [one.x, one.y]).find((one) => this.api.keepsPixel(...one));
+        const first = named ?? kept?.[0] ?? [width >> 1, height >> 1];
         const step = pixel && said.get('step') ? Number(said.get('step')) : undefined;
         const node = pixel ? said.get('node') ?? undefined : undefined;
         await this.choosePixel(...(pixel ?? first), { isPassing: true, step, node });
