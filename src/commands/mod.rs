@@ -18,6 +18,7 @@ mod ray;
 mod render;
 mod schema;
 mod sheet;
+mod step;
 
 use std::ffi::OsString;
 
@@ -48,6 +49,7 @@ enum Command {
     Render(render::Args),
     Pixel(pixel::Args),
     Ray(ray::Args),
+    Step(step::Args),
     Diagram(diagram::Args),
     Sheet(sheet::Args),
     Inspect(inspect::Args),
@@ -77,6 +79,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Render(args) => render::run(&args),
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
+        Command::Step(args) => step::run(&args),
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
         Command::Inspect(args) => inspect::run(&args),

@@ -37,23 +37,23 @@ impl<'r> Player<'r> {
     }
 
     /// The next step.
-    pub fn into(&mut self) -> bool {
+    pub fn step_into(&mut self) -> bool {
         self.to(self.at + 1)
     }
 
     /// The step before.
-    pub fn back(&mut self) -> bool {
+    pub fn step_back(&mut self) -> bool {
         self.to(self.at.saturating_sub(1))
     }
 
     /// The next step that is no deeper: what is called here is carried out.
-    pub fn over(&mut self) -> bool {
+    pub fn step_over(&mut self) -> bool {
         let depth = self.depth();
         self.forward(|depths, i| depths[i] <= depth)
     }
 
     /// The first step after the current frame has been left.
-    pub fn out(&mut self) -> bool {
+    pub fn step_out(&mut self) -> bool {
         let depth = self.depth();
         self.forward(|depths, i| depths[i] < depth)
     }

@@ -16,7 +16,7 @@ pub(super) struct Tested {
     pub(super) finding: Finding,
     /// Whether the filter left the verdict open.
     pub(super) is_exact: bool,
-    /// The diagram that shows it.
+    /// The diagram that shows it, where there is one of the test alone.
     pub(super) diagram: Option<&'static str>,
 }
 

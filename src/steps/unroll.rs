@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::arithmetic::{Formula, OnSurface, Split, Values};
+use super::arithmetic::{Formula, OnSurface, Split, Tiny, Values};
 use super::book::{Book, Setting};
 use super::pseudocode::Line;
 use super::tested::{exact_words, look};
@@ -148,6 +148,17 @@ impl<'a> Unroll<'a> {
         self.book.work(formula, inputs, last, wanted.iter().copied())
     }
 
+    /// Works out the formula of a new ray's direction.
+    fn work_way(
+        &mut self,
+        node: usize,
+        formula: fn(Tiny) -> Formula,
+        inputs: &Values,
+        wanted: &[(&str, Value)],
+    ) -> Option<Arithmetic> {
+        Tiny::ALL.into_iter().find_map(|tiny| self.work(node, formula(tiny), inputs.clone(), None, wanted))
+    }
+
     fn ray_trace(&mut self) {
         let root = &self.tree.root;
         let Some([x, y]) = self.tree.pixel else {
@@ -159,7 +170,8 @@ impl<'a> Unroll<'a> {
         let header = self.step(Line::RayTrace, 0).calls(Procedure::RayTrace).shows("section");
         header.sets("x", coordinate(x)).sets("y", coordinate(y));
         self.step(Line::RayTraceRay, 0).shows("section");
-        self.step(Line::ComputeRay, 0).calls(Procedure::ComputeRay).sets("x", coordinate(x)).sets("y", coordinate(y));
+        let header = self.step(Line::ComputeRay, 0).calls(Procedure::ComputeRay).shows("section");
+        header.sets("x", coordinate(x)).sets("y", coordinate(y));
         let camera = &self.scene.camera;
         let (width, height) = (self.scene.image.width, self.scene.image.height);
         let inputs = vec![
@@ -259,7 +271,10 @@ impl<'a> Unroll<'a> {
             step.test = Some(i);
             step.arithmetic = tested.arithmetic;
             step.finding = Some(tested.finding);
-            step.diagram = tested.diagram.map(|kind| Picture { kind, node: None, shape, primitive });
+            step.diagram = Some(match tested.diagram {
+                Some(kind) => Picture { kind, node: None, shape, primitive },
+                None => Picture { kind: "section", node: None, shape: None, primitive: None },
+            });
             step.question = question;
             step.marks(Mark::Exact, tested.is_exact).marks(Mark::NotANumber, is_nan);
             if let TestRecord::Shape(test) = test
@@ -597,7 +612,7 @@ impl<'a> Unroll<'a> {
         let rays = self.book.setting.rays;
         let rounded = |v: glam::DVec3| Vector(v.to_array().map(|x| rays.round(x)));
         let mut wanted: Vec<(&str, Value)> = shadow.iter().map(|shadow| ("l", Vector(shadow.direction))).collect();
-        let (formula, inputs) = match light.kind {
+        let (formula, inputs): (fn(Tiny) -> Formula, Values) = match light.kind {
             LightKind::Directional { direction } => {
                 (Formula::ToDirectionalLight, vec![("travels", rounded(direction))])
             }
@@ -606,7 +621,7 @@ impl<'a> Unroll<'a> {
                 (Formula::ToPointLight, vec![("position", rounded(position)), ("p", Vector(spot.hit.point))])
             }
         };
-        self.work(spot.place, formula, inputs, None, &wanted)
+        self.work_way(spot.place, formula, &inputs, &wanted)
     }
 
     /// Snell's law and Fresnel's equations, where the material asks for them.
@@ -624,7 +639,7 @@ impl<'a> Unroll<'a> {
         let n_words = format!("from index {} into {}", six_digits(n_i), six_digits(n_t));
         if !is_certified {
             let last = if is_total { "k" } else { "cos_t" };
-            arithmetic = self.work(place, Formula::SnellUsual, inputs, Some(last), &[]);
+            arithmetic = self.work(place, Formula::SnellUsual(Tiny::Kept), inputs, Some(last), &[]);
             let verdict =
                 if is_total { "k < 0: no light gets through, total reflection" } else { "k >= 0: light gets through" };
             words = format!("{n_words}, {verdict}");
@@ -747,12 +762,12 @@ impl<'a> Unroll<'a> {
         let mut inputs = vec![("d", Vector(spot.node.direction)), ("n", Vector(spot.normal))];
         let wanted = |name| [(name, Vector(child.direction))];
         if child.kind == Kind::Reflected {
-            return (self.work(at, Formula::Reflect, inputs, None, &wanted("r")), "mirrored at the normal");
+            return (self.work_way(at, Formula::Reflect, &inputs, &wanted("r")), "mirrored at the normal");
         }
         let Some([n_i, n_t]) = spot.hit.ior else { return (None, "through the surface") };
         inputs.extend([("n_i", Number(n_i)), ("n_t", Number(n_t))]);
         if self.book.setting.numerics != Numerics::Certified {
-            return (self.work(at, Formula::SnellUsual, inputs, None, &wanted("t")), "bent by Snell's law");
+            return (self.work_way(at, Formula::SnellUsual, &inputs, &wanted("t")), "bent by Snell's law");
         }
         if child.direction == spot.node.direction {
             let words = "straight on: the indices are equal, or the ray runs along the normal";
@@ -760,7 +775,7 @@ impl<'a> Unroll<'a> {
         }
         let Some(s) = self.transmission(spot) else { return (None, "bent by Snell's law") };
         inputs.push(("S", Number(s)));
-        (self.work(at, Formula::SnellStable, inputs, None, &wanted("t")), "bent by Snell's law")
+        (self.work_way(at, Formula::SnellStable, &inputs, &wanted("t")), "bent by Snell's law")
     }
 
     /// The share of a child, and the arithmetic of it and of the weight.

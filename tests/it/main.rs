@@ -19,6 +19,7 @@ mod mesh;
 mod pages;
 mod recursion;
 mod schemas;
+mod stepper;
 mod steps;
 mod support;
 mod tidiness;

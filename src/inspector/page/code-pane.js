@@ -30,9 +30,10 @@ export class CodePane {
         const list = make('ol');
         this.lines = code.map((line, i) => {
             const isFirst = i === 0 || code[i - 1].procedure !== line.procedure;
-            const text = `${'  '.repeat(line.indent)}${line.text}`;
             const place = make('span', { class: 'place', text: String(i + 1), 'aria-hidden': 'true' });
-            return make('li', { class: isFirst ? 'first' : '' }, place, make('span', { text }));
+            const text = make('span', { class: 'text', text: line.text });
+            text.style.marginLeft = `${2 * line.indent}ch`;
+            return make('li', { class: isFirst ? 'first' : '' }, place, text);
         });
         list.append(...this.lines);
         this.host.replaceChildren(list);

@@ -9,6 +9,24 @@ const KEPT_DIAGRAMS = 120;
 /** Kinds that are about one ray, not about one test. */
 const WHOLE_KINDS = ['section', 'surface', 'tree', 'ledger'];
 
+/** Cuts the margin off a drawing, but for a little. */
+function cropToContents(root) {
+    if (root.all) return;
+    const all = root.viewBox.baseVal;
+    const parts = [...root.children].filter((part) => part.getBBox && !(part.localName === 'rect' && part.width.baseVal.value >= all.width));
+    const boxes = parts.map((part) => part.getBBox()).filter((box) => box.width > 0 || box.height > 0);
+    root.all = { x: all.x, y: all.y, width: all.width, height: all.height };
+    if (!boxes.length) return;
+    const margin = 8;
+    const left = Math.max(all.x, Math.min(...boxes.map((box) => box.x)) - margin);
+    const top = Math.max(all.y, Math.min(...boxes.map((box) => box.y)) - margin);
+    const right = Math.min(all.x + all.width, Math.max(...boxes.map((box) => box.x + box.width)) + margin);
+    const bottom = Math.min(all.y + all.height, Math.max(...boxes.map((box) => box.y + box.height)) + margin);
+    if (!(right > left && bottom > top)) return;
+    root.all = { x: left, y: top, width: right - left, height: bottom - top };
+    root.setAttribute('viewBox', `${left} ${top} ${right - left} ${bottom - top}`);
+}
+
 /** The pane. `onNode(index)` hears which ray was clicked, `onSpace(isOn)` whether the 3D view is to show. */
 export class DiagramPane {
     constructor(api, { onNode, onSpace }) {
@@ -20,11 +38,79 @@ export class DiagramPane {
         this.kept = new Map();
         this.kind = 'step';
         this.choose = wireTabs(byId('view-tabs'), (tab) => this.chooseKind(tab.dataset.kind));
+        this.choose('view-step');
+        this.listen();
         this.growing.addEventListener('change', () => this.grow());
         this.host.addEventListener('click', (event) => {
             const index = this.player?.byPath.get(event.target.closest('[data-node]')?.dataset.node);
             if (index !== undefined) onNode(index);
         });
+    }
+
+    /** Wheel, drag and keys move and enlarge the drawing; a double click shows all of it. */
+    listen() {
+        let from;
+        this.host.addEventListener('wheel', (event) => {
+            event.preventDefault();
+            this.zoom(Math.exp(event.deltaY * 0.0015), event.clientX, event.clientY);
+        }, { passive: false });
+        this.host.addEventListener('pointerdown', (event) => {
+            from = [event.clientX, event.clientY];
+        });
+        this.host.addEventListener('pointermove', (event) => {
+            if (!from || !event.buttons) return;
+            this.pan(event.clientX - from[0], event.clientY - from[1]);
+            from = [event.clientX, event.clientY];
+        });
+        this.host.addEventListener('dblclick', () => this.showAll());
+        byId('view-body').addEventListener('keydown', (event) => {
+            if (this.kind === '3d' || event.ctrlKey || event.metaKey || event.altKey) return;
+            const move = { ArrowLeft: [40, 0], ArrowRight: [-40, 0], ArrowUp: [0, 40], ArrowDown: [0, -40] }[event.key];
+            if (move) this.pan(...move);
+            else if (event.key === '+' || event.key === '=') this.zoom(1 / 1.25);
+            else if (event.key === '-') this.zoom(1.25);
+            else if (event.key === '0') this.showAll();
+            else return;
+            event.preventDefault();
+            event.stopPropagation();
+        });
+    }
+
+    get drawing() {
+        return this.host.querySelector('svg');
+    }
+
+    zoom(by, x, y) {
+        const { drawing } = this;
+        if (!drawing) return;
+        const box = drawing.viewBox.baseVal;
+        const all = drawing.all;
+        const width = Math.min(all.width, Math.max(all.width / 16, box.width * by));
+        const scale = width / box.width;
+        const at = new DOMPoint(x ?? 0, y ?? 0).matrixTransform(drawing.getScreenCTM().inverse());
+        if (x === undefined) Object.assign(at, { x: box.x + box.width / 2, y: box.y + box.height / 2 });
+        this.place(at.x - (at.x - box.x) * scale, at.y - (at.y - box.y) * scale, width, box.height * scale);
+    }
+
+    pan(x, y) {
+        const { drawing } = this;
+        if (!drawing) return;
+        const box = drawing.viewBox.baseVal;
+        const scale = drawing.getScreenCTM().a;
+        this.place(box.x - x / scale, box.y - y / scale, box.width, box.height);
+    }
+
+    place(x, y, width, height) {
+        const { all } = this.drawing;
+        const inside = (at, size, from, length) => Math.min(Math.max(at, from), from + length - size);
+        const left = inside(x, width, all.x, all.width);
+        const top = inside(y, height, all.y, all.height);
+        this.drawing.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
+    }
+
+    showAll() {
+        const { all } = this.drawing ?? {};
+        if (all) this.place(all.x, all.y, all.width, all.height);
     }
 
     setPlayer(player, sceneId, pixel) {
@@ -53,7 +139,7 @@ export class DiagramPane {
         for (let k = step; k >= 0 && this.player.steps[k].node === node; k -= 1) {
             const diagram = this.player.steps[k].diagram;
             if (!diagram) continue;
-            const about = { kind: diagram.kind, node: path };
+            const about = { kind: diagram.kind, node: diagram.node === undefined ? path : this.player.nodes[diagram.node].path };
             if (diagram.shape !== undefined) about.shape = diagram.shape;
             if (diagram.primitive !== undefined) about.primitive = diagram.primitive;
             return { ...about, theme };
@@ -123,9 +209,10 @@ export class DiagramPane {
             this.parts = [];
             return;
         }
-        this.host.replaceChildren(root);
         root.removeAttribute('width');
         root.removeAttribute('height');
+        this.host.replaceChildren(root);
+        cropToContents(root);
         root.setAttribute('role', 'img');
         const title = root.querySelector('title')?.textContent ?? 'Diagram';
         const words = root.querySelector('desc')?.textContent ?? '';

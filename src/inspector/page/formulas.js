@@ -148,7 +148,14 @@ export function drawLine(line, values, options) {
     };
     const piece = (className, ...parts) => makeMath('math', { class: className }, makeMath('mrow', {}, ...parts));
     const pieces = [];
-    if (line.expression !== undefined) {
+    const product = /^(\w+?)_dot_(\w+)$/.exec(line.name);
+    if (product && sameTree(line.expression, ['dot', product[1], product[2]])) {
+        // The symbol says already what is computed.
+        pieces.push(piece('in-symbols', symbol(line.name)));
+        if (values[line.name] !== undefined) {
+            pieces.push(piece('in-numbers', operator('='), drawExpression(line.expression, 0, inNumbers, write)));
+        }
+    } else if (line.expression !== undefined) {
         const drawn = drawExpression(line.expression, 0, inSymbols, write);
         pieces.push(piece('in-symbols', symbol(line.name, isVector(line.name)), operator('='), drawn));
         const isPlain = typeof line.expression === 'string' || typeof line.expression === 'number';

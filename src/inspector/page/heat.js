@@ -12,6 +12,7 @@ export class HeatMap {
     constructor(canvas, legend) {
         this.canvas = canvas;
         this.legend = legend;
+        this.clear();
     }
 
     /** Begins an empty overlay of a kind. */
@@ -31,7 +32,7 @@ export class HeatMap {
         this.kind = '';
         this.values = undefined;
         this.canvas.hidden = true;
-        this.legend.replaceChildren();
+        this.legend.replaceChildren(make('span', { text: 'Click, drag or press arrow keys to choose a pixel.' }));
     }
 
     /** Takes rows, whose values may be in nanoseconds, and draws. */

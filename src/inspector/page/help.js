@@ -6,7 +6,7 @@ const KEYS = [
     ['Stepping', [['s', 'next step'], ['b', 'back one step'], ['n', 'over: next step of this call'], ['o', 'out of this call'],
         ['g', 'to the start'], ['e', 'to the end'], ['r', 'run until the chosen event'], ['u', 'choose an event']]],
     ['Panes', [['1', 'picture: arrows choose a pixel'], ['2', 'candidates: arrows choose a test'], ['3', 'ray tree: arrows choose a ray'],
-        ['4', 'pseudocode'], ['5', 'diagram; 3D: arrows turn'], ['6', 'arithmetic and changes'],
+        ['4', 'pseudocode'], ['5', 'diagram: arrows, + and \u2212 move it; 3D: they turn it'], ['6', 'arithmetic and changes'],
         ['x', 'enlarge the pane with the focus'], ['Esc', 'back to all panes']]],
     ['Page', [['p', 'predict, then reveal'], ['d', 'light or dark'], ['?', 'these keys']]],
 ];

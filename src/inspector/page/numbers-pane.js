@@ -14,8 +14,6 @@ export class NumbersPane {
 
     setPlayer(player) {
         this.player = player;
-        const settings = player.recording.tree.settings;
-        this.single = settings?.precision === 'f32' && settings?.numerics !== 'certified';
     }
 
     /** Shows a step. */
@@ -33,14 +31,14 @@ export class NumbersPane {
         }
         parts.push(head);
         const form = arithmetic && this.player.forms[arithmetic.form];
-        if (form) parts.push(...this.formula(form, arithmetic.values));
+        if (form) parts.push(...this.formula(form, this.player.valuesAt(step), arithmetic));
         else if (!verdict) parts.push(make('p', { class: 'form-title', text: 'Nothing is computed in this step.' }));
         this.host.replaceChildren(...parts);
         this.host.scrollTop = 0;
     }
 
-    formula(form, values) {
-        const options = { allDigits: this.allDigits.checked, single: this.single };
+    formula(form, values, arithmetic) {
+        const options = { allDigits: this.allDigits.checked, single: form.precision === 'f32' };
         const computed = new Set(form.lines.map((line) => line.name));
         const needed = new Set();
         for (const line of form.lines) if (line.expression !== undefined) namesIn(line.expression, needed);
@@ -55,6 +53,7 @@ export class NumbersPane {
             const about = { class: `formula-line${isOpen ? ' open' : ''}`, title: isOpen ? 'not computed: it was decided before' : undefined };
             parts.push(make('div', about, ...drawLine(line, values, options)));
         }
+        if (arithmetic.note) parts.push(make('p', { class: 'source', text: arithmetic.note }));
         if (form.source) parts.push(make('p', { class: 'source', text: form.source }));
         return parts;
     }

@@ -25,7 +25,7 @@ export class Player {
             const index = this.nodes.length;
             const told = this.recording.nodes[index];
             const children = childrenOf(ray);
-            this.nodes.push({ ...told, index, ray, parent, level, children: [] });
+            this.nodes.push({ ...told, values: told?.values ?? {}, index, ray, parent, level, children: [] });
             if (parent >= 0) this.nodes[parent].children.push(index);
             for (const child of children.reverse()) open.push({ ray: child, parent: index, level: level + 1 });
         }
@@ -134,14 +134,27 @@ export class Player {
         return Math.max(step - 1, 0);
     }
 
+    /** The next step that is no deeper; where there is none, this one. */
     over(step) {
-        for (let k = step + 1; k < this.steps.length; k += 1) if (this.depthOf[k] <= this.depthOf[step]) return k;
-        return this.steps.length - 1;
+        return this.forward(step, (k) => this.depthOf[k] <= this.depthOf[step]);
     }
 
+    /** The first step after the current frame has been left; where there is none, this one. */
     out(step) {
-        const end = this.frames[this.frameOf[step]]?.end ?? this.steps.length - 1;
-        return Math.min(end + 1, this.steps.length - 1);
+        return this.forward(step, (k) => this.depthOf[k] < this.depthOf[step]);
+    }
+
+    forward(step, isThere) {
+        for (let k = step + 1; k < this.steps.length; k += 1) if (isThere(k)) return k;
+        return step;
+    }
+
+    /** The values that a step's formula is worked out with: its own, and those of its ray. */
+    valuesAt(step) {
+        const { arithmetic, node } = this.steps[step];
+        const special = { Infinity, '-Infinity': -Infinity, NaN };
+        const read = (x) => (Array.isArray(x) ? x.map(read) : special[x] ?? x);
+        return Object.fromEntries(Object.entries({ ...this.nodes[node].values, ...arithmetic.values }).map(([name, x]) => [name, read(x)]));
     }
 
     /** The next step where an event holds, or -1. */
@@ -157,13 +170,13 @@ export class Player {
         const test = step.test === undefined ? undefined : ray.tests?.[step.test];
         switch (event) {
             case 'depth':
-                return ray.depth === argument;
+                return step.call === 'Trace' && ray.depth === argument;
             case 'weight':
-                return ray.weight !== undefined && Math.max(...ray.weight) < argument;
+                return (step.call === 'Reflected' || step.call === 'Refracted') && ray.weight !== undefined && Math.max(...ray.weight) < argument;
             case 't':
-                return test?.shape?.t !== undefined && test.shape.t < argument;
+                return test?.shape?.verdict === 'best' && test.shape.t < argument;
             case 'object':
-                return test?.shape?.object === argument;
+                return (test?.shape ?? test?.bounds)?.object === argument;
             default:
                 return step.events?.includes(event) ?? false;
         }

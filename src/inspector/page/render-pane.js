@@ -44,7 +44,7 @@ export class RenderPane {
         this.context = this.canvas.getContext('2d', { willReadFrequently: true });
         this.stage.style.aspectRatio = `${width} / ${height}`;
         this.stage.style.width = `min(100cqw, 42vh * ${width / height})`;
-        this.names.replaceChildren(make('option', { value: '', text: '\u2013' }));
+        this.names.replaceChildren(make('option', { value: '', text: 'pixels by name' }));
         for (const { name, x, y } of scene.pixels) this.names.append(make('option', { value: `${x},${y}`, text: name }));
     }
 

@@ -9,6 +9,11 @@ function luminance([r, g, b]) {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
+/** A node's name without what the row says beside it. */
+function shortName(name) {
+    return name.replace(/ at t [^,]*/, '').replace(' ray, hits ', ' \u2192 ').replace(' ray', '');
+}
+
 /** The pane. `onNode(index)` hears every node that is chosen. */
 export class TreePane {
     constructor({ onNode }) {
@@ -83,16 +88,16 @@ export class TreePane {
         const parts = element.parts;
         setText(parts.twisty, node.children.length ? (this.closed.has(index) ? '\u25b8' : '\u25be') : '');
         const hides = this.hidesLater && !isDecided;
-        setText(parts.name, hides ? ray.kind : node.name);
+        setText(parts.name, hides ? ray.kind : shortName(node.name));
         const t = ray.hit?.t;
         const weight = ray.weight === undefined ? '' : `w ${brief(Math.max(...ray.weight), 3)}`;
-        setText(parts.t, hides || t === undefined ? '' : `t ${brief(t, 4)}`);
+        setText(parts.t, hides || t === undefined ? '' : `t ${brief(t, 3)}`);
         setText(parts.weight, weight);
         const showsColor = ray.radiance && (isFinished || !this.hidesLater);
-        parts.swatch.style.background = showsColor ? cssOfLinear(ray.radiance) : '';
-        parts.swatch.style.visibility = ray.radiance ? '' : 'hidden';
+        parts.bar.style.background = showsColor ? cssOfLinear(ray.radiance) : '';
         const share = node.contribution && showsColor ? luminance(node.contribution) / this.total : 0;
-        parts.bar.style.width = `${Math.round(Math.min(1, share) * 28)}px`;
+        parts.bar.style.width = share > 0 ? `${Math.max(2, Math.round(Math.min(1, share) * 30))}px` : '0';
+        parts.room.classList.toggle('none', !ray.radiance);
         const said = [hides ? ray.kind : node.name, weight && `weight ${weight.slice(2)}`];
         if (!hides && node.contribution) said.push(`contributes ${node.contribution.map((c) => brief(c, 3)).join(', ')}`);
         if (!isReached) said.push('not reached yet');
@@ -106,17 +111,16 @@ export class TreePane {
         element.id = `tree-${node.index}`;
         element.setAttribute('role', 'treeitem');
         element.setAttribute('aria-level', node.level);
-        element.style.paddingLeft = `${4 + Math.min(node.level - 1, 12) * 11}px`;
+        element.style.paddingLeft = `${4 + Math.min(node.level - 1, 14) * 10}px`;
         const parts = {
             twisty: make('span', { class: 'twisty', 'aria-hidden': 'true' }),
-            swatch: make('span', { class: 'swatch tree-swatch' }),
             name: make('span', { class: 'fill' }),
             t: make('span', { class: 'number' }),
             weight: make('span', { class: 'number' }),
             bar: make('span', { class: 'share' }),
         };
-        const bar = make('span', { class: 'share-room' }, parts.bar);
-        element.replaceChildren(parts.twisty, lineSample(node.ray.kind), parts.name, parts.t, parts.weight, parts.swatch, bar);
+        parts.room = make('span', { class: 'share-room' }, parts.bar);
+        element.replaceChildren(parts.twisty, lineSample(node.ray.kind), parts.name, parts.t, parts.weight, parts.room);
         element.parts = parts;
     }
 

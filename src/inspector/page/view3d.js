@@ -494,6 +494,8 @@ export class View3d {
         this.drawPlate();
         gl.depthMask(false);
         this.drawSolids(eye, (solid) => solid.fadeFrom > 0);
+        // Glass before the rays: they are what one wants to see inside it.
+        this.drawSolids(eye, (solid) => solid.color[3] < 1 && !solid.fadeFrom);
         gl.bindVertexArray(this.lineArray);
         gl.bindBuffer(gl.ARRAY_BUFFER, this.lineBuffer);
         gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(this.lines), gl.DYNAMIC_DRAW);
@@ -501,7 +503,6 @@ export class View3d {
         this.drawLines(width, height, 0.22);
         gl.depthFunc(gl.LEQUAL);
         this.drawLines(width, height, 1);
-        this.drawSolids(eye, (solid) => solid.color[3] < 1 && !solid.fadeFrom);
         gl.depthMask(true);
         this.placeLabels(width, height);
     }

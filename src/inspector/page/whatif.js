@@ -75,7 +75,10 @@ export class WhatIf {
             this.changeWords.push(words);
             return make('div', { class: 'change-bar' }, undo, redo, first, words);
         };
-        byId('whatif').append(bar());
+        const top = bar();
+        this.summary = make('span', { class: 'summary', role: 'status' });
+        top.append(make('span', { class: 'spring' }), this.summary);
+        byId('whatif').append(top);
         if (this.canTrace) byId('scene-text').append(bar());
         for (const id of ['whatif', 'scene-text']) byId(id).addEventListener('keydown', (event) => this.pressed(event));
     }
@@ -178,13 +181,14 @@ export class WhatIf {
             this.edit(['materials', this.picked.material, 'ior'], Math.max(1e-3, value), 'ior');
         }));
         for (const [key, label] of [['light', 'light'], ['object', 'object']]) {
-            grid.append(name(label), select(key, label, (value) => this.pickPart(key, value)), blank(), blank());
-            ['x', 'y', 'z'].forEach((axis, k) => {
-                grid.append(blank(), make('span', { class: 'axis', text: axis }));
-                grid.append(...pair(`${key}-${axis}`, label, axis, { min: -10, max: 10, step: 0.01 }, (value) => this.move(key, k, value)));
-            });
+            const triple = make('div', { class: 'triple' });
+            const pairs = ['x', 'y', 'z'].map((axis, k) =>
+                pair(`${key}-${axis}`, label, axis, { min: -10, max: 10, step: 0.01 }, (value) => this.move(key, k, value)));
+            pairs.forEach(([, number], k) => triple.append(make('label', {}, 'xyz'[k], number)));
+            pairs.forEach(([range]) => triple.append(range));
+            grid.append(name(label), select(key, label, (value) => this.pickPart(key, value)), triple);
         }
-        this.outcome = make('div', { class: 'outcome', role: 'status' });
+        this.outcome = make('div', { class: 'outcome' });
         byId('whatif').append(grid, this.outcome);
     }
 
@@ -312,37 +316,39 @@ export class WhatIf {
     /** Shows the difference to the scene as it was given; `difference` is absent where nothing is changed. */
     showDifference(difference, player) {
         if (!this.canTrace) return;
-        if (!this.isChanged || !difference) {
-            const words = this.isChanged ? 'The two trees are the same.' : 'Change something: the pixel is traced anew, and the difference shows here.';
+        if (!difference) {
+            this.summary.replaceChildren();
+            const words = 'Change something: the pixel is traced anew, and how the two trees differ shows here.';
             this.outcome.replaceChildren(make('p', { class: 'quiet', text: words }));
             return;
         }
-        const [before, after] = difference.colors;
+        const { colors: [before, after], divergences } = difference;
         const patch = (color) => {
-            const element = make('span', { class: 'patch' });
+            const element = make('span', { class: 'patch', title: colorText(color) });
             element.style.background = cssOfLinear(color);
             return element;
         };
+        const words = divergences.length === 0 ? 'the same tree' : counted(divergences.length, 'difference');
+        this.summary.replaceChildren(patch(before), make('span', { text: '\u2192', 'aria-label': 'becomes' }), patch(after), make('span', { text: words }));
         const most = Math.max(...after.map((c, k) => Math.abs(c - before[k])));
-        const colors = make('div', { class: 'colors' }, patch(before), make('span', { text: '\u2192', 'aria-label': 'becomes' }), patch(after),
-            make('span', { class: 'rgb', text: most === 0 ? 'the same colour' : `${colorText(after)}  (by ${brief(most, 3)} at most)` }));
+        const color = most === 0 ? 'The colour stays the same.' : `The colour changes by ${brief(most, 3)} at most, to ${colorText(after)}.`;
         const list = make('ul');
-        const { divergences } = difference;
-        for (const one of divergences.slice(0, 40)) list.append(this.divergence(one, player));
-        const count = divergences.length === 0 ? 'The two trees are the same.' : `${counted(divergences.length, 'difference')} between the trees:`;
-        this.outcome.replaceChildren(colors, make('p', { text: count }), list);
-        if (divergences.length > 40) list.append(make('li', { class: 'quiet', text: `and ${divergences.length - 40} more` }));
+        for (const one of divergences.slice(0, 60)) list.append(this.divergence(one, player));
+        if (divergences.length > 60) list.append(make('li', { class: 'quiet', text: `and ${divergences.length - 60} more` }));
+        this.outcome.replaceChildren(make('p', { text: color }), list);
     }
 
-    divergence(one, player) {
-        const path = one.node ?? one.path ?? 'root';
+    divergence({ path, kind, field, light, a, b, consequence }, player) {
         const index = player.byPath.get(path);
-        const go = make('button', { type: 'button', text: path, on: { click: () => this.onNode(index) } });
+        const go = make('button', { type: 'button', text: path, title: `${kind} ray`, on: { click: () => this.onNode(index) } });
         go.disabled = index === undefined;
-        const show = (value) => (typeof value === 'number' ? brief(value) : Array.isArray(value) ? `(${value.map((x) => brief(x, 4)).join(', ')})` : String(value));
-        const [a, b] = [one.a ?? one.left ?? one.expected ?? one.from, one.b ?? one.right ?? one.got ?? one.to];
-        const values = a === undefined && b === undefined ? '' : `: ${a === undefined ? 'nothing' : show(a)} \u2192 ${b === undefined ? 'nothing' : show(b)}`;
-        return make('li', {}, go, ` ${one.field ?? one.what ?? ''}${values}`);
+        const show = (value) => {
+            if (value === undefined) return 'nothing';
+            if (Array.isArray(value)) return `(${value.map((x) => brief(x, 4)).join(', ')})`;
+            return typeof value === 'number' ? brief(value) : String(value);
+        };
+        const words = ` ${field.replaceAll('_', ' ')}${light ? ` of ${light}` : ''}: ${show(a)} \u2192 ${show(b)}`;
+        return make('li', { class: consequence ? 'quiet' : '' }, go, words);
     }
 
     // The text

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use serde::ser::{Serialize, SerializeSeq, Serializer};
 
-use crate::numbers::{Precision, Real};
+use crate::numbers::{Precision, Real, flush_tiny};
 use crate::tree::Value;
 
 /// A formula's right-hand side.
@@ -56,13 +56,15 @@ pub enum Operation {
     Power,
     /// The number or vector rounded to single precision.
     Single,
+    /// The number or vector with 0 for components below 2^-126 in magnitude, -0 too, which exact arithmetic does not take.
+    Flush,
     /// `if a < b then x else y`.
     IfLess,
 }
 
 impl Operation {
     /// All of them.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Plus,
         Self::Minus,
         Self::Times,
@@ -80,6 +82,7 @@ impl Operation {
         Self::Clamp,
         Self::Power,
         Self::Single,
+        Self::Flush,
         Self::IfLess,
     ];
 
@@ -103,6 +106,7 @@ impl Operation {
             Self::Clamp => "clamp",
             Self::Power => "pow",
             Self::Single => "f32",
+            Self::Flush => "flush",
             Self::IfLess => "if<",
         }
     }
@@ -304,6 +308,7 @@ impl Expression {
             }
             Operation::Power => Some(Number(libm::pow(scalar(0)?, scalar(1)?))),
             Operation::Single => one(|a| f64::from(a as f32)),
+            Operation::Flush => one(flush_tiny),
             Operation::IfLess => operand(if scalar(0)? < scalar(1)? { 2 } else { 3 }),
         }
     }

@@ -1,21 +1,22 @@
 //! Direct light: the shadow ray and Phong's local terms. The terms are in double precision whatever the geometry's.
 
 use super::expression::{Expression, Operation, clamp, dot, number, sqrt, v};
-use super::{Form, form};
+use super::{Form, Tiny, form};
 use crate::numbers::Precision;
 
-pub(super) fn to_point(precision: Precision) -> Form {
+pub(super) fn to_point(precision: Precision, tiny: Tiny) -> Form {
     let lines = vec![
         ("to_light", v("position") - v("p")),
         ("distance", sqrt(dot(v("to_light"), v("to_light")))),
-        ("l", v("to_light") / v("distance")),
+        ("l", tiny.of(v("to_light") / v("distance"))),
     ];
-    form("to_point_light", "the way to the light", "l at length 1", precision, lines)
+    form(tiny.name("to_point_light"), "the way to the light", "l at length 1", precision, lines)
 }
 
-pub(super) fn to_directional(precision: Precision) -> Form {
+pub(super) fn to_directional(precision: Precision, tiny: Tiny) -> Form {
     let source = "the light is infinitely far away: against the way it travels";
-    form("to_directional_light", "the way to the light", source, precision, vec![("l", -v("travels"))])
+    let lines = vec![("l", tiny.of(-v("travels")))];
+    form(tiny.name("to_directional_light"), "the way to the light", source, precision, lines)
 }
 
 pub(super) fn cosine() -> Form {

@@ -19,6 +19,7 @@
 //! | `clamp` | x, least, most: numbers or vectors | `x` brought between the two |
 //! | `pow` | two numbers | power, as `libm` computes it |
 //! | `f32` | number or vector | rounded to single precision |
+//! | `flush` | number or vector | 0 for what is below 2^-126 in magnitude, and for -0 |
 //! | `if<` | a, b, x, y | `x` where `a < b`, else `y` |
 
 mod aabb;
@@ -162,9 +163,9 @@ pub(super) enum Formula {
     /// The unit normal of a sphere.
     SphereNormal,
     /// The direction and distance to a point light.
-    ToPointLight,
+    ToPointLight(Tiny),
     /// The direction to a light infinitely far away.
-    ToDirectionalLight,
+    ToDirectionalLight(Tiny),
     /// The cosine between the normal and the direction to the light.
     Cosine,
     /// The ambient term.
@@ -176,11 +177,11 @@ pub(super) enum Formula {
     /// What a light sends: both terms.
     Direct,
     /// The mirrored direction.
-    Reflect,
+    Reflect(Tiny),
     /// Snell's law as usually written.
-    SnellUsual,
+    SnellUsual(Tiny),
     /// Snell's law without the cancellation, from the sign that was decided exactly.
-    SnellStable,
+    SnellStable(Tiny),
     /// Both cosines from that sign.
     Cosines,
     /// Fresnel's equations.
@@ -198,6 +199,37 @@ pub(super) enum Formula {
     Sum,
     /// The background's gradient.
     Gradient,
+}
+
+/// What becomes of the tiny components of a new ray's direction. They are flushed to 0 always; a formula says so where it makes a
+/// difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tiny {
+    /// There are none.
+    Kept,
+    /// They become 0, and so does -0.
+    Flushed,
+}
+
+impl Tiny {
+    /// Both, the plain one first.
+    pub(super) const ALL: [Self; 2] = [Self::Kept, Self::Flushed];
+
+    /// A name that says so.
+    fn name(self, name: &str) -> String {
+        match self {
+            Self::Kept => name.to_owned(),
+            Self::Flushed => format!("{name}_flushed"),
+        }
+    }
+
+    /// The direction without what is flushed.
+    fn of(self, direction: Expression) -> Expression {
+        match self {
+            Self::Kept => direction,
+            Self::Flushed => expression::of(Operation::Flush, direction),
+        }
+    }
 }
 
 /// Where a hit point is brought back to.
@@ -252,16 +284,16 @@ impl Formula {
             Self::Point(surface) if setting.by_error_bound => point::form(surface, rays, false),
             Self::Point(surface) => point::form(surface, kernels, rays != kernels),
             Self::SphereNormal => point::sphere_normal(is_rounded),
-            Self::ToPointLight => light::to_point(rays),
-            Self::ToDirectionalLight => light::to_directional(rays),
+            Self::ToPointLight(tiny) => light::to_point(rays, tiny),
+            Self::ToDirectionalLight(tiny) => light::to_directional(rays, tiny),
             Self::Cosine => light::cosine(),
             Self::Ambient => light::ambient(),
             Self::Diffuse => light::diffuse(),
             Self::Specular => light::specular(),
             Self::Direct => light::direct(),
-            Self::Reflect => optics::reflect(rays),
-            Self::SnellUsual => optics::snell_usual(rays),
-            Self::SnellStable => optics::snell_stable(is_rounded),
+            Self::Reflect(tiny) => optics::reflect(rays, tiny),
+            Self::SnellUsual(tiny) => optics::snell_usual(rays, tiny),
+            Self::SnellStable(tiny) => optics::snell_stable(is_rounded, tiny),
             Self::Cosines => optics::cosines(),
             Self::FresnelExact => optics::fresnel_exact(),
             Self::FresnelSchlick { from_smaller } => optics::fresnel_schlick(from_smaller),

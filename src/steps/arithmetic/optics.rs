@@ -1,16 +1,16 @@
 //! Reflection, refraction and Fresnel's equations: the functions of [`kernels::optics`](crate::kernels::optics).
 
 use super::expression::{abs, dot, largest, number, smallest, sqrt, v};
-use super::{Form, form, rounded};
+use super::{Form, Tiny, form, rounded};
 use crate::numbers::Precision;
 
-pub(super) fn reflect(precision: Precision) -> Form {
-    let lines = vec![("d_dot_n", dot(v("d"), v("n"))), ("r", v("d") - v("n") * (number(2.0) * v("d_dot_n")))];
+pub(super) fn reflect(precision: Precision, tiny: Tiny) -> Form {
+    let lines = vec![("d_dot_n", dot(v("d"), v("n"))), ("r", tiny.of(v("d") - v("n") * (number(2.0) * v("d_dot_n"))))];
     let source = "the lecture: twice the projection of d on n, taken off";
-    form("reflect", "the mirrored direction", source, precision, lines)
+    form(tiny.name("reflect"), "the mirrored direction", source, precision, lines)
 }
 
-pub(super) fn snell_usual(precision: Precision) -> Form {
+pub(super) fn snell_usual(precision: Precision, tiny: Tiny) -> Form {
     let one = || number(1.0);
     let cos_i = smallest([one(), largest([number(0.0), -dot(v("d"), v("n")) / v("length")])]);
     let along = (v("eta") * v("cos_i") - v("cos_t")) * v("length");
@@ -20,22 +20,22 @@ pub(super) fn snell_usual(precision: Precision) -> Form {
         ("cos_i", cos_i),
         ("k", one() - v("eta") * v("eta") * (one() - v("cos_i") * v("cos_i"))),
         ("cos_t", sqrt(v("k"))),
-        ("t", v("d") * v("eta") + v("n") * along),
+        ("t", tiny.of(v("d") * v("eta") + v("n") * along)),
     ];
     let source = "Snell's law as in the lecture: k < 0 is total reflection";
-    form("snell_usual", "the refracted direction", source, precision, lines)
+    form(tiny.name("snell_usual"), "the refracted direction", source, precision, lines)
 }
 
-pub(super) fn snell_stable(is_rounded: bool) -> Form {
+pub(super) fn snell_stable(is_rounded: bool, tiny: Tiny) -> Form {
     let along = (v("n_i") - v("n_t")) * (v("n_i") + v("n_t")) * dot(v("d"), v("d")) / v("denominator");
     let lines = vec![
         ("d_dot_n", dot(v("d"), v("n"))),
         ("denominator", v("n_t") * (v("n_i") * abs(v("d_dot_n")) + sqrt(v("S")))),
         ("along", along),
-        ("t", rounded(is_rounded, v("d") * (v("n_i") / v("n_t")) + v("n") * v("along"))),
+        ("t", tiny.of(rounded(is_rounded, v("d") * (v("n_i") / v("n_t")) + v("n") * v("along")))),
     ];
     let source = "Snell's law, S = n_t^2 |d|^2 |n|^2 - n_i^2 (|d|^2 |n|^2 - (d.n)^2) decided exactly and rounded once";
-    form("snell", "the refracted direction", source, Precision::F64, lines)
+    form(tiny.name("snell"), "the refracted direction", source, Precision::F64, lines)
 }
 
 pub(super) fn cosines() -> Form {
