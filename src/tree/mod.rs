@@ -6,6 +6,7 @@
 
 pub mod check;
 mod costs;
+pub mod diff;
 mod layout;
 mod ledger;
 mod path;
@@ -248,6 +249,18 @@ pub struct LightTerms {
     /// Phong's highlight, linear RGB.
     #[serde(default)]
     pub specular: [f64; 3],
+}
+
+impl Kind {
+    /// Its word in the format.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Camera => "camera",
+            Self::Shadow => "shadow",
+            Self::Reflected => "reflected",
+            Self::Refracted => "refracted",
+        }
+    }
 }
 
 impl RayNode {

@@ -6,7 +6,7 @@ use super::steps::{TestRecord, Value, Verdict};
 use crate::input::printable;
 use crate::numbers::{Certificate, Stage};
 
-use super::{Kind, Outcome, RayNode, RayTree};
+use super::{Outcome, RayNode, RayTree};
 
 /// What a text shows besides the rays.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,12 +52,7 @@ impl RayTree {
 }
 
 fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
-    let kind = match node.kind {
-        Kind::Camera => "camera",
-        Kind::Shadow => "shadow",
-        Kind::Reflected => "reflected",
-        Kind::Refracted => "refracted",
-    };
+    let kind = node.kind.name();
     let what = match (&node.light, node.weight) {
         (Some(light), _) => format!("-> {}", printable(light)),
         (None, Some(w)) if w[0] == w[1] && w[1] == w[2] => format!("depth {}  w {}", node.depth, six_digits(w[0])),

@@ -5,6 +5,7 @@ mod bad_input;
 mod bits;
 mod commands;
 mod diagrams;
+mod diff;
 mod drawing;
 mod effects;
 mod first_hit;
