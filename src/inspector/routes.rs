@@ -10,6 +10,7 @@
 //! | `GET /api/scenes/ID/overlay?kind=` | bands of one f32 a pixel: `rays`, `depth`, `tests`, `stage`, `time` |
 //! | `GET /api/scenes/ID/recording?x=&y=` | the recording of a pixel |
 //! | `GET /api/scenes/ID/diagram?x=&y=&kind=&node=` | SVG, or 422 with `why`; also `shape`, `primitive`, `theme` |
+//! | `GET /api/scenes/ID/difference?x=&y=&from=ID` | where the pixel's tree parts from that in another scene |
 //! | `GET /api/scenes/ID/export`, `?pixel=x,y` | the page as one file with some pixels, else with those that have names |
 
 use std::sync::Arc;
@@ -41,6 +42,7 @@ use crate::pictures::diagrams::Chosen;
 use crate::pictures::theme::Theme;
 use crate::scene::Numerics;
 use crate::steps::Recording;
+use crate::tree::diff::{Tolerances, diff};
 
 /// A scene text and what surrounds it, at most: 1 MiB.
 pub(super) const LARGEST_BODY: usize = 1 << 20;
@@ -67,6 +69,7 @@ pub(super) fn routes(inspector: Arc<Inspector>, body_timeout: Duration) -> Route
         .route("/api/scenes/{id}/overlay", get(overlay))
         .route("/api/scenes/{id}/recording", get(recording))
         .route("/api/scenes/{id}/diagram", get(diagram))
+        .route("/api/scenes/{id}/difference", get(difference))
         .route("/api/scenes/{id}/export", get(export_page))
         .fallback(async || nothing().into_response())
         .with_state(Site { inspector, bodies: Arc::new(Semaphore::new(BODIES)), body_timeout })
@@ -221,6 +224,23 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
         let tree = recording::tree(&inspector, &held, pixel, stop)?;
         let svg = svg(&held.loaded.scene, &tree.tree, Wanted { kind, node, chosen, theme })?;
         Ok(bytes(svg, "image/svg+xml"))
+    };
+    site.inspector.work().quick(work).await?
+}
+
+async fn difference(State(site): State<Site>, Path(id): Path<String>, RawQuery(query): RawQuery) -> Answer {
+    let held = site.scene(&id)?;
+    let query = Query::parse(query.as_deref(), &["x", "y", "from"])?;
+    let from = query.one("from")?.ok_or_else(|| Refusal::bad("no scene to compare with", "from=ID"))?;
+    let from = site.scene(from)?;
+    let pixel = query.pixel(held.loaded.scene.image)?;
+    query.pixel(from.loaded.scene.image)?;
+    let inspector = Arc::clone(&site.inspector);
+    let work = move |stop: &_| {
+        let before = recording::tree(&inspector, &from, pixel, stop)?;
+        let after = recording::tree(&inspector, &held, pixel, stop)?;
+        let (before, after) = (&before.tree, &after.tree);
+        Ok(json(StatusCode::OK, &diff(before, after, &Tolerances::of(before, after))))
     };
     site.inspector.work().quick(work).await?
 }

@@ -135,5 +135,5 @@ fn apart(distance: Distance) -> String {
 }
 
 fn vector(v: &[f64; 3]) -> String {
-    v.map(number).join(" ")
+    v.map(six_digits).join(" ")
 }

@@ -11,6 +11,7 @@ use raytree::pictures::{render, srgb8};
 use raytree::scene::{Loaded, Shape, load_file};
 use raytree::steps::Recording;
 use raytree::transport::{Options, Tracer};
+use raytree::tree::diff::{Tolerances, diff};
 use raytree::tree::{Cost, Keep, NodePath, Outcome};
 use serde_json::{Value, json};
 
@@ -288,4 +289,27 @@ fn a_path_that_is_the_root_may_be_left_out() {
     let [x, y] = grid(&loaded.scene, 1)[0];
     let ask = |more: &str| site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&kind=tree{more}")).text();
     assert_eq!(ask(""), ask(&format!("&node={}&theme=light", NodePath::ROOT)));
+}
+
+#[test]
+fn the_difference_that_a_change_makes() {
+    let file = "scenes/whitted.json";
+    let site = Site::of(file);
+    let (before, loaded) = (site.id(), load_file(file).unwrap());
+    let text = std::fs::read_to_string(file).unwrap();
+    let [x, y] = loaded.scene.pixels.iter().find(|(name, _)| name == "glass edge").unwrap().1;
+    let ask = |id: &str| site.good(&format!("/api/scenes/{id}/difference?x={x}&y={y}&from={before}")).json();
+    assert_eq!(ask(&before)["divergences"], json!([]));
+    let changed = text.replacen("\"ior\": 1.5", "\"ior\": 1.3", 1);
+    assert_ne!(changed, text);
+    let after = site.posted(&changed, &NO_SETTINGS);
+    let other = raytree::scene::load_beside(file, &changed).unwrap();
+    let [a, b] = [&loaded, &other].map(|loaded| tree(&tracer::<f64>(&loaded.scene), loaded, [x, y], Keep::Steps));
+    let wanted = diff(&a, &b, &Tolerances::of(&a, &b));
+    assert!(!wanted.divergences.is_empty());
+    let told = ask(&after);
+    assert_eq!(told, serde_json::to_value(&wanted).unwrap());
+    assert_eq!(told["colors"], json!([a.color, b.color]));
+    assert_eq!(site.get(&format!("/api/scenes/{after}/difference?x={x}&y={y}")).status, 400);
+    assert_eq!(site.get(&format!("/api/scenes/{after}/difference?x={x}&y={y}&from=x")).status, 404);
 }

@@ -1,7 +1,7 @@
 //! Whom the server talks to, and that nothing but its own files can be read.
 
-use super::client::{self, Answer};
 use super::Site;
+use super::client::{self, Answer};
 
 const SCENE: &str = "scenes/first-hit.json";
 
@@ -74,8 +74,7 @@ fn pages_of_others_get_nothing() {
 #[test]
 fn a_post_says_that_it_means_it() {
     let site = Site::of(SCENE);
-    let body =
-        serde_json::json!({ "text": std::fs::read_to_string(SCENE).unwrap(), "settings": {} }).to_string();
+    let body = serde_json::json!({ "text": std::fs::read_to_string(SCENE).unwrap(), "settings": {} }).to_string();
     let post = |headers: &str| {
         let head =
             format!("POST /api/scenes HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nContent-Length: {}\r\n", site.port, body.len());

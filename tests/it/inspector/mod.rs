@@ -2,6 +2,7 @@
 
 mod client;
 mod endpoints;
+mod export;
 mod guard;
 mod hostile;
 mod patience;
