@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], [`steps`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 
@@ -32,6 +32,8 @@ pub mod transport;
 
 pub mod tree;
 
+pub mod steps;
+
 #[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;
 
@@ -39,3 +41,5 @@ pub mod pictures;
 pub mod accuracy;
 #[cfg(feature = "cli")]
 pub mod commands;
+#[cfg(feature = "inspector")]
+pub mod inspector;

@@ -8,6 +8,7 @@ mod effects;
 mod failure;
 mod files;
 mod gallery;
+mod inspect;
 mod options;
 mod output;
 mod picture;
@@ -17,6 +18,7 @@ mod ray;
 mod render;
 mod schema;
 mod sheet;
+mod step;
 
 use std::ffi::OsString;
 
@@ -47,8 +49,10 @@ enum Command {
     Render(render::Args),
     Pixel(pixel::Args),
     Ray(ray::Args),
+    Step(step::Args),
     Diagram(diagram::Args),
     Sheet(sheet::Args),
+    Inspect(inspect::Args),
     Gallery(gallery::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
@@ -75,8 +79,10 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Render(args) => render::run(&args),
         Command::Pixel(args) => pixel::run(&args),
         Command::Ray(args) => ray::run(&args),
+        Command::Step(args) => step::run(&args),
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
+        Command::Inspect(args) => inspect::run(&args),
         Command::Gallery(args) => gallery::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),

@@ -7,10 +7,11 @@ use clap::ValueEnum;
 use super::failure::Failure;
 use crate::hits::Acceleration;
 use crate::input::{Problem, nearest, one_of};
+use crate::inspector::Settings;
 use crate::kernels::Ray;
 use crate::numbers::{Precision, Real, Vector3, flush_tiny, is_in_range};
 use crate::scene::{Limits, Loaded, Numerics, Scene};
-use crate::transport::{LeavingPolicy, Options, Tracer, Unfit};
+use crate::transport::{LeavingPolicy, Options, Tracer};
 
 /// How to trace, where it is not the scene that says so.
 #[derive(Clone, Debug, clap::Args)]
@@ -79,40 +80,39 @@ pub(super) fn thread_counts() -> clap::builder::RangedI64ValueParser<u16> {
 }
 
 impl TraceArgs {
+    /// What they say.
+    pub(super) fn settings(&self) -> Settings {
+        let precision = self.precision.map(|precision| match precision {
+            PrecisionArg::F32 => Precision::F32,
+            PrecisionArg::F64 => Precision::F64,
+        });
+        let numerics = self.numerics.map(|numerics| match numerics {
+            NumericsArg::Lecture => Numerics::Lecture,
+            NumericsArg::Robust => Numerics::Robust,
+            NumericsArg::Certified => Numerics::Certified,
+        });
+        let acceleration = match self.acceleration {
+            AccelerationArg::List => Acceleration::List,
+            AccelerationArg::Bvh => Acceleration::Bvh,
+        };
+        Settings { precision, numerics, max_depth: self.max_depth, leaving: self.leaving, acceleration }
+    }
+
     /// The precision to trace this scene in.
     pub(super) fn precision(&self, scene: &Scene) -> Precision {
-        match self.precision {
-            Some(PrecisionArg::F32) => Precision::F32,
-            Some(PrecisionArg::F64) => Precision::F64,
-            None => scene.precision.unwrap_or(Precision::F64),
-        }
+        self.settings().precision.or(scene.precision).unwrap_or(Precision::F64)
     }
 
     /// The scene made ready in precision `R`.
     pub(super) fn tracer<'s, R: Real>(&self, loaded: &'s Loaded) -> Result<Tracer<'s, R>, Failure> {
+        let settings = self.settings();
         let mut options = Options::of(&loaded.scene);
-        if let Some(numerics) = self.numerics {
-            options.numerics = match numerics {
-                NumericsArg::Lecture => Numerics::Lecture,
-                NumericsArg::Robust => Numerics::Robust,
-                NumericsArg::Certified => Numerics::Certified,
-            };
-        }
-        options.leaving = self.leaving;
-        options.acceleration = match self.acceleration {
-            AccelerationArg::List => Acceleration::List,
-            AccelerationArg::Bvh => Acceleration::Bvh,
-        };
-        if let Some(max_depth) = self.max_depth {
-            options.limits.max_depth = max_depth;
-        }
+        options.numerics = settings.numerics.unwrap_or(options.numerics);
+        options.leaving = settings.leaving;
+        options.acceleration = settings.acceleration;
+        options.limits.max_depth = settings.max_depth.unwrap_or(options.limits.max_depth);
         Tracer::new(&loaded.scene, options).map_err(|unfit| {
-            let what = match unfit {
-                Unfit::Camera => "the camera's eye".to_owned(),
-                Unfit::Light(id) => format!("the light `{}`", loaded.scene.light(id).name),
-                Unfit::Object(id) => format!("the object `{}`", loaded.scene.object(id).name),
-            };
-            let message = format!("{what} is too far out for {}", R::PRECISION);
+            let message = format!("{} is too far out for {}", unfit.name(&loaded.scene), R::PRECISION);
             let help = format!("coordinates up to {:e} in magnitude, or `--precision f64`", largest::<R>());
             Problem::new(&loaded.file, message, help).into()
         })

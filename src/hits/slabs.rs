@@ -59,10 +59,10 @@ pub struct SlabRay {
     inverse: [f64; 3],
 }
 
-/// Three roundings (difference, reciprocal, product) are below a relative 3u + 3u^2; this covers them, and its own use.
-const SLACK: f64 = 4.0 * f64::EPSILON;
-
 impl SlabRay {
+    /// Three roundings (difference, reciprocal, product) are below a relative 3u + 3u^2; this covers them, and its own use.
+    pub const SLACK: f64 = 4.0 * f64::EPSILON;
+
     /// The ray in f64; its components convert exactly.
     pub fn new<R: Real>(ray: &Ray<R>) -> Self {
         let direction = ray.direction.to_f64();
@@ -99,6 +99,6 @@ impl SlabRay {
             t_in = if near > t_in { near } else { t_in };
             t_out = if far < t_out { far } else { t_out };
         }
-        (t_in * (1.0 - SLACK), t_out * (1.0 + SLACK))
+        (t_in * (1.0 - Self::SLACK), t_out * (1.0 + Self::SLACK))
     }
 }

@@ -29,6 +29,7 @@ pub use certified::Certified;
 pub use facing::{plane_facing, triangle_facing, triangle_normal};
 pub use miss::Miss;
 pub use offset::{gamma, offset_origin};
+pub(crate) use optics::refraction_sign;
 pub use optics::{
     certify_total_reflection, fresnel_exact, fresnel_schlick, is_total_reflection, reflect, refract, refract_usual,
     refract_with_cosines, refraction_cosines,

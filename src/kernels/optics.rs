@@ -66,6 +66,12 @@ fn known_transmission<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted:
     })
 }
 
+/// `S`, whose sign decides whether light passes the boundary: the sign exact, the value rounded once or nearly so. What the
+/// refracted direction and the cosines are worked out from.
+pub(crate) fn refraction_sign<R: Real>(d: R::Vec3, n: R::Vec3, incident: R, transmitted: R) -> f64 {
+    known_transmission(d, n, incident, transmitted).value
+}
+
 /// Whether all light is reflected at this boundary, exactly for the stored direction, normal and indices.
 ///
 /// # Ranges

@@ -48,6 +48,14 @@ impl Precision {
         }
     }
 
+    /// The number of this precision that is nearest to `x`, ties to even.
+    pub fn round(self, x: f64) -> f64 {
+        match self {
+            Self::F32 => f64::from(x as f32),
+            Self::F64 => x,
+        }
+    }
+
     /// The largest finite number.
     pub fn largest(self) -> f64 {
         match self {

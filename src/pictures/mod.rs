@@ -18,3 +18,5 @@ pub mod theme;
 
 #[cfg(feature = "pictures")]
 pub use film::{Film, Format, render};
+#[cfg(feature = "pictures")]
+pub use srgb::srgb8;

@@ -30,11 +30,13 @@ pub fn load_file(path: &str) -> Result<Loaded, Problem> {
 /// # Errors
 /// As [`load`] has them.
 pub fn load_beside(path: &str, text: &str) -> Result<Loaded, Problem> {
+    load(path, text, &mut meshes_beside(path))
+}
+
+/// What gives the bytes of the meshes that the scene at `path` names.
+pub fn meshes_beside(path: &str) -> impl FnMut(&str) -> Result<Vec<u8>, String> {
     let folder = Path::new(path).parent().unwrap_or(Path::new(""));
-    load(path, text, &mut |name| {
-        let path = folder.join(name);
-        open(&path.to_string_lossy()).and_then(read_all)
-    })
+    move |name| open(&folder.join(name).to_string_lossy()).and_then(read_all)
 }
 
 /// Opens a file that is not a directory; the error is a sentence on why it cannot be.

@@ -20,7 +20,7 @@ use glam::DVec3;
 
 pub use camera::{Camera, Resolution};
 #[cfg(feature = "files")]
-pub use files::{LARGEST_FILE, load_beside, load_file, open, read_text, scene_files};
+pub use files::{LARGEST_FILE, load_beside, load_file, meshes_beside, open, read_text, scene_files};
 pub use json::{Loaded, load};
 pub use light::{Light, LightKind};
 pub use material::{Fresnel, Material, Pigment, Specular};

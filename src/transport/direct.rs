@@ -31,7 +31,7 @@ impl<R: Real> Tracer<'_, R> {
         &self,
         path: Path<'_, R>,
         surface: &Surface<R>,
-        budget: &mut Budget,
+        budget: &mut Budget<'_>,
         recorder: &Rec,
     ) -> (Local, Vec<Rec::Node>) {
         let material = self.scene().material_of(surface.hit.nearest.object);
@@ -130,7 +130,7 @@ impl<R: Real> Tracer<'_, R> {
         path: Path<'_, R>,
         surface: &Surface<R>,
         shadow_ray: &ShadowRay<R>,
-        budget: &mut Budget,
+        budget: &mut Budget<'_>,
         recorder: &Rec,
     ) -> (bool, Rec::Node) {
         self.begin(Effect::Shadows);

@@ -137,7 +137,7 @@ impl<R: Real> Tracer<'_, R> {
         path: Path<'_, R>,
         surface: &Surface<R>,
         way: &Way<R>,
-        budget: &mut Budget,
+        budget: &mut Budget<'_>,
         recorder: &Rec,
     ) -> (Rgb, Rec::Node) {
         let ray = spawn(surface.origin_towards(way.direction), way.direction);

@@ -1,5 +1,8 @@
 //! The lecture's recursion: Trace and Shade.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::leaving::{LeavingPolicy, spawn};
 use super::media::Inside;
 use super::recorder::{Children, Kind, Off, Outcome, Recorder, Visit};
@@ -46,17 +49,29 @@ pub enum Unfit {
     Object(ObjectId),
 }
 
+impl Unfit {
+    /// What it is, in words.
+    pub fn name(self, scene: &Scene) -> String {
+        match self {
+            Self::Camera => "the camera's eye".to_owned(),
+            Self::Light(id) => format!("the light `{}`", scene.light(id).name),
+            Self::Object(id) => format!("the object `{}`", scene.object(id).name),
+        }
+    }
+}
+
 /// A scene ready to be traced in one precision.
 #[derive(Debug)]
 pub struct Tracer<'s, R: Real> {
     scene: &'s Scene,
-    world: World<R>,
+    world: Arc<World<R>>,
     leaving: LeavingPolicy,
     limits: Limits,
     /// Index of refraction of each object's inside.
     iors: Vec<R>,
     has_media: bool,
     masked: EffectSet,
+    stop: Option<&'s AtomicBool>,
 }
 
 /// A ray on its way to be traced.
@@ -72,17 +87,20 @@ pub(super) struct Path<'a, R: Real> {
 
 /// The rays that a pixel may still take.
 #[derive(Debug)]
-pub(super) struct Budget(u64);
+pub(super) struct Budget<'a> {
+    rest: u64,
+    stop: Option<&'a AtomicBool>,
+}
 
-impl Budget {
-    /// Takes one ray out, or says that none is left.
+impl Budget<'_> {
+    /// Takes one ray out, or says that none is left: also where nobody waits for the pixel any more.
     pub(super) fn take(&mut self) -> bool {
-        match self.0.checked_sub(1) {
-            Some(rest) => {
-                self.0 = rest;
+        match self.rest.checked_sub(1) {
+            Some(rest) if !self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed)) => {
+                self.rest = rest;
                 true
             }
-            None => false,
+            _ => false,
         }
     }
 }
@@ -109,22 +127,36 @@ impl<'s, R: Real> Tracer<'s, R> {
         if let Some(id) = scene.object_ids().find(|&id| scene.object(id).shape.largest_coordinate() > largest) {
             return Err(Unfit::Object(id));
         }
+        Ok(Self::with_world(scene, Arc::new(World::new(scene, options.numerics, options.acceleration)), options))
+    }
+
+    /// `scene` with the geometry of a tracer that was made of it before, which is most of the work for a large mesh. Of
+    /// `options` only what is not about geometry counts.
+    pub fn with_world(scene: &'s Scene, world: Arc<World<R>>, options: Options) -> Self {
         let ior = |id| scene.material_of(id).ior.map_or(R::ONE, R::from_f64);
-        Ok(Self {
+        Self {
             scene,
-            world: World::new(scene, options.numerics, options.acceleration),
-            leaving: options.leaving.unwrap_or(LeavingPolicy::of(options.numerics)),
+            leaving: options.leaving.unwrap_or(LeavingPolicy::of(world.numerics())),
+            world,
             limits: Limits { max_depth: options.limits.max_depth.min(Limits::DEEPEST), ..options.limits },
             iors: scene.object_ids().map(ior).collect(),
             has_media: scene.object_ids().any(|id| scene.is_medium(id)),
             masked: EffectSet::default(),
-        })
+            stop: None,
+        }
     }
 
     /// The same tracer with the code of some effects made to panic where it begins, in builds with debug assertions:
     /// that an effect which nobody called for did not run is then more than a counter's word.
     pub fn with_masked(mut self, effects: EffectSet) -> Self {
         self.masked = effects;
+        self
+    }
+
+    /// The same tracer for work that may have to end in the middle of a pixel: once `stop` is set no more rays are traced, and
+    /// what comes back means nothing.
+    pub fn with_stop(mut self, stop: &'s AtomicBool) -> Self {
+        self.stop = Some(stop);
         self
     }
 
@@ -142,6 +174,11 @@ impl<'s, R: Real> Tracer<'s, R> {
     /// Its geometry.
     pub fn world(&self) -> &World<R> {
         &self.world
+    }
+
+    /// Its geometry, to be kept for [`Tracer::with_world`].
+    pub fn shared_world(&self) -> Arc<World<R>> {
+        Arc::clone(&self.world)
     }
 
     /// What keeps a ray from hitting the surface it starts on.
@@ -174,9 +211,14 @@ impl<'s, R: Real> Tracer<'s, R> {
 
     /// The lecture's ComputeRay and Trace for pixel `(x, y)`: its linear RGB, and what the recorder makes of it.
     pub fn pixel<Rec: Recorder>(&self, x: u32, y: u32, recorder: &Rec) -> (Rgb, Rec::Node) {
+        self.camera_ray(&self.ray_of_pixel(x, y), recorder)
+    }
+
+    /// The lecture's ComputeRay for pixel `(x, y)`.
+    pub fn ray_of_pixel(&self, x: u32, y: u32) -> Ray<R> {
         let ray = self.scene.camera.ray(self.scene.image, x, y);
         let convert = |v: glam::DVec3| R::Vec3::from_f64(v.to_array());
-        self.camera_ray(&spawn(convert(ray.origin), convert(ray.direction)), recorder)
+        spawn(convert(ray.origin), convert(ray.direction))
     }
 
     /// The colour of pixel `(x, y)`, nothing recorded.
@@ -203,7 +245,7 @@ impl<'s, R: Real> Tracer<'s, R> {
             departure: Departure::default(),
             inside: &inside,
         };
-        let mut budget = Budget(self.limits.ray_budget);
+        let mut budget = Budget { rest: self.limits.ray_budget, stop: self.stop };
         budget.take();
         self.trace(path, &mut budget, recorder)
     }
@@ -212,7 +254,7 @@ impl<'s, R: Real> Tracer<'s, R> {
     pub(super) fn trace<Rec: Recorder>(
         &self,
         path: Path<'_, R>,
-        budget: &mut Budget,
+        budget: &mut Budget<'_>,
         recorder: &Rec,
     ) -> (Rgb, Rec::Node) {
         let mut probe = Rec::Probe::default();
@@ -242,7 +284,7 @@ impl<'s, R: Real> Tracer<'s, R> {
         &self,
         path: Path<'_, R>,
         surface: &Surface<R>,
-        budget: &mut Budget,
+        budget: &mut Budget<'_>,
         recorder: &Rec,
         probe: Rec::Probe,
     ) -> (Rgb, Rec::Node) {

@@ -69,3 +69,17 @@ impl Recorder for Cost {
         costs
     }
 }
+
+/// The recorder that finds how deep the recursion went: the largest level of a ray that was traced.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Deepest;
+
+impl Recorder for Deepest {
+    type Probe = ();
+    type Node = u32;
+    const RECORDS: bool = true;
+    fn node<R: Real>(&self, visit: Visit<'_, R, ()>, children: Children<u32>) -> u32 {
+        let own = if visit.outcome.is_traced() { visit.depth } else { 0 };
+        children.shadows.into_iter().chain(children.reflected).chain(children.refracted).fold(own, u32::max)
+    }
+}

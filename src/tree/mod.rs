@@ -6,6 +6,7 @@
 
 pub mod check;
 mod costs;
+pub mod diff;
 mod layout;
 mod ledger;
 mod path;
@@ -15,12 +16,13 @@ mod text;
 
 use serde::{Deserialize, Serialize};
 
-pub use costs::{Cost, Costs};
+pub use costs::{Cost, Costs, Deepest};
 pub use ledger::{Entry, Ledger};
 pub use path::{Branch, NoSuchNode, NodePath};
 pub use record::{Keep, Origin, record_pixel, record_ray};
 pub use steps::{BoundsRecord, ShapeRecord, TestRecord, Value, Verdict};
 pub use text::Show;
+pub(crate) use text::six_digits;
 
 use crate::input::{name, present};
 use crate::numbers::{Certificate, Precision};
@@ -247,6 +249,18 @@ pub struct LightTerms {
     /// Phong's highlight, linear RGB.
     #[serde(default)]
     pub specular: [f64; 3],
+}
+
+impl Kind {
+    /// Its word in the format.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Camera => "camera",
+            Self::Shadow => "shadow",
+            Self::Reflected => "reflected",
+            Self::Refracted => "refracted",
+        }
+    }
 }
 
 impl RayNode {

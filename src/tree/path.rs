@@ -65,6 +65,12 @@ impl NodePath {
         self.0.is_empty()
     }
 
+    /// The way to the parent; nothing at the root.
+    pub fn parent(&self) -> Option<Self> {
+        let (_, before) = self.0.split_last()?;
+        Some(NodePath(before.to_vec()))
+    }
+
     /// The node at the end of the way.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use super::steps::{TestRecord, Value, Verdict};
 use crate::input::printable;
 use crate::numbers::{Certificate, Stage};
 
-use super::{Kind, Outcome, RayNode, RayTree};
+use super::{Outcome, RayNode, RayTree};
 
 /// What a text shows besides the rays.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,15 +52,10 @@ impl RayTree {
 }
 
 fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
-    let kind = match node.kind {
-        Kind::Camera => "camera",
-        Kind::Shadow => "shadow",
-        Kind::Reflected => "reflected",
-        Kind::Refracted => "refracted",
-    };
+    let kind = node.kind.name();
     let what = match (&node.light, node.weight) {
         (Some(light), _) => format!("-> {}", printable(light)),
-        (None, Some(w)) if w[0] == w[1] && w[1] == w[2] => format!("depth {}  w {}", node.depth, number(w[0])),
+        (None, Some(w)) if w[0] == w[1] && w[1] == w[2] => format!("depth {}  w {}", node.depth, six_digits(w[0])),
         (None, Some(w)) => format!("depth {}  w ({})", node.depth, vector(w)),
         (None, None) => format!("depth {}", node.depth),
     };
@@ -76,7 +71,7 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
                 (Some(primitive), _) => write!(line, " #{primitive}").ok(),
                 (None, _) => None,
             };
-            write!(line, " t {}", number(hit.t)).ok();
+            write!(line, " t {}", six_digits(hit.t)).ok();
             if let (Some(abc), Outcome::Hit) = (hit.barycentrics, outcome) {
                 write!(line, "  abc ({})", vector(abc)).ok();
             }
@@ -85,11 +80,11 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
                 if let Some([incident, transmitted]) = hit.ior
                     && (node.refracted.is_some() || node.total_reflection || node.fresnel.is_some())
                 {
-                    write!(line, "  {}|{}", number(incident), number(transmitted)).ok();
+                    write!(line, "  {}|{}", six_digits(incident), six_digits(transmitted)).ok();
                 }
             }
             if let Some(fresnel) = node.fresnel {
-                write!(line, "  R {}", number(fresnel)).ok();
+                write!(line, "  R {}", six_digits(fresnel)).ok();
             }
             if node.total_reflection {
                 line.push_str("  total reflection");
@@ -108,7 +103,7 @@ fn line(node: &RayNode, graphics: &str, show: Show<'_>) -> String {
     if show.certificates {
         for (what, certificate) in [("", &node.certificate), ("Snell: ", &node.refraction_certificate)] {
             if let Some(Certificate { stage, margin }) = certificate {
-                write!(line, "  [{what}{}, margin {}]", stage_name(*stage), number(*margin)).ok();
+                write!(line, "  [{what}{}, margin {}]", stage_name(*stage), six_digits(*margin)).ok();
             }
         }
     }
@@ -150,7 +145,7 @@ fn test_line(test: &TestRecord) -> String {
             }
             for (name, t) in [("t_in", test.t_in), ("t_out", test.t_out)] {
                 if let Some(t) = t {
-                    write!(line, "  {name} {}", number(t)).ok();
+                    write!(line, "  {name} {}", six_digits(t)).ok();
                 }
             }
             if test.reason.as_deref() == Some("pruned by its box") {
@@ -166,12 +161,12 @@ fn test_line(test: &TestRecord) -> String {
             }
             for (name, value) in &test.values.0 {
                 match value {
-                    Value::Number(x) => write!(line, "  {} {}", printable(name), number(*x)).ok(),
+                    Value::Number(x) => write!(line, "  {} {}", printable(name), six_digits(*x)).ok(),
                     Value::Vector(v) => write!(line, "  {} ({})", printable(name), vector(*v)).ok(),
                 };
             }
             if let Some(t) = test.t {
-                write!(line, "  => t {}", number(t)).ok();
+                write!(line, "  => t {}", six_digits(t)).ok();
             }
             (test.verdict, &test.reason)
         }
@@ -189,11 +184,11 @@ fn test_line(test: &TestRecord) -> String {
 }
 
 fn vector(v: [f64; 3]) -> String {
-    v.map(number).join(" ")
+    v.map(six_digits).join(" ")
 }
 
 /// Six significant digits, without trailing zeros.
-fn number(x: f64) -> String {
+pub(crate) fn six_digits(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }

@@ -1,0 +1,30 @@
+//! A diagram of a node, as the command draws it.
+
+use super::answer::Refusal;
+use crate::pictures::diagrams::{Chosen, Input, Kind, diagram};
+use crate::pictures::theme::Theme;
+use crate::scene::Scene;
+use crate::tree::{NodePath, RayTree};
+
+/// Which diagram.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    pub(super) kind: Kind,
+    pub(super) node: NodePath,
+    pub(super) chosen: Option<Chosen>,
+    pub(super) theme: &'static Theme,
+}
+
+/// The diagram as SVG.
+///
+/// # Errors
+/// [`Refusal`] with the reason why there is none.
+pub(super) fn svg(scene: &Scene, tree: &RayTree, wanted: Wanted) -> Result<String, Refusal> {
+    let input = Input::new(scene, tree, wanted.node).map_err(|no| Refusal::Why(no.to_string()))?;
+    let input = match wanted.chosen {
+        Some(chosen) => input.about(chosen),
+        None => input,
+    };
+    let drawing = diagram(wanted.kind, &input, wanted.theme).map_err(|not| Refusal::Why(not.why))?;
+    drawing.to_svg().map_err(|unfit| Refusal::Why(unfit.to_string()))
+}

@@ -1,0 +1,244 @@
+// The diagram of the current node and step, growing with the steps: parts that carry `data-node` of a ray not reached yet
+// are hidden.
+
+import { byId, setText, wireTabs } from './dom.js';
+
+/** How many diagrams are kept. */
+const KEPT_DIAGRAMS = 120;
+
+/** Kinds that are about one ray, not about one test. */
+const WHOLE_KINDS = ['section', 'surface', 'tree', 'ledger'];
+
+/** Cuts the margin off a drawing, but for a little. */
+function cropToContents(root) {
+    if (root.all) return;
+    const all = root.viewBox.baseVal;
+    const parts = [...root.children].filter((part) => part.getBBox && !(part.localName === 'rect' && part.width.baseVal.value >= all.width));
+    const boxes = parts.map((part) => part.getBBox()).filter((box) => box.width > 0 || box.height > 0);
+    root.all = { x: all.x, y: all.y, width: all.width, height: all.height };
+    if (!boxes.length) return;
+    const margin = 8;
+    const left = Math.max(all.x, Math.min(...boxes.map((box) => box.x)) - margin);
+    const top = Math.max(all.y, Math.min(...boxes.map((box) => box.y)) - margin);
+    const right = Math.min(all.x + all.width, Math.max(...boxes.map((box) => box.x + box.width)) + margin);
+    const bottom = Math.min(all.y + all.height, Math.max(...boxes.map((box) => box.y + box.height)) + margin);
+    if (!(right > left && bottom > top)) return;
+    root.all = { x: left, y: top, width: right - left, height: bottom - top };
+    root.setAttribute('viewBox', `${left} ${top} ${right - left} ${bottom - top}`);
+}
+
+/** The pane. `onNode(index)` hears which ray was clicked, `onSpace(isOn)` whether the 3D view is to show. */
+export class DiagramPane {
+    constructor(api, { onNode, onSpace }) {
+        this.api = api;
+        this.onSpace = onSpace;
+        this.host = byId('diagram');
+        this.note = byId('diagram-note');
+        this.growing = byId('growing');
+        this.kept = new Map();
+        this.kind = 'step';
+        this.choose = wireTabs(byId('view-tabs'), (tab) => this.chooseKind(tab.dataset.kind));
+        this.choose('view-step');
+        this.listen();
+        this.growing.addEventListener('change', () => this.grow());
+        this.host.addEventListener('click', (event) => {
+            const index = this.player?.byPath.get(event.target.closest('[data-node]')?.dataset.node);
+            if (index !== undefined) onNode(index);
+        });
+    }
+
+    /** Wheel, drag and keys move and enlarge the drawing; a double click shows all of it. */
+    listen() {
+        let from;
+        this.host.addEventListener('wheel', (event) => {
+            event.preventDefault();
+            this.zoom(Math.exp(event.deltaY * 0.0015), event.clientX, event.clientY);
+        }, { passive: false });
+        this.host.addEventListener('pointerdown', (event) => {
+            from = [event.clientX, event.clientY];
+        });
+        this.host.addEventListener('pointermove', (event) => {
+            if (!from || !event.buttons) return;
+            this.pan(event.clientX - from[0], event.clientY - from[1]);
+            from = [event.clientX, event.clientY];
+        });
+        this.host.addEventListener('dblclick', () => this.showAll());
+        byId('view-body').addEventListener('keydown', (event) => {
+            if (this.kind === '3d' || event.ctrlKey || event.metaKey || event.altKey) return;
+            const move = { ArrowLeft: [40, 0], ArrowRight: [-40, 0], ArrowUp: [0, 40], ArrowDown: [0, -40] }[event.key];
+            if (move) this.pan(...move);
+            else if (event.key === '+' || event.key === '=') this.zoom(1 / 1.25);
+            else if (event.key === '-') this.zoom(1.25);
+            else if (event.key === '0') this.showAll();
+            else return;
+            event.preventDefault();
+            event.stopPropagation();
+        });
+    }
+
+    get drawing() {
+        return this.host.querySelector('svg');
+    }
+
+    zoom(by, x, y) {
+        const { drawing } = this;
+        if (!drawing) return;
+        const box = drawing.viewBox.baseVal;
+        const all = drawing.all;
+        const width = Math.min(all.width, Math.max(all.width / 16, box.width * by));
+        const scale = width / box.width;
+        const at = new DOMPoint(x ?? 0, y ?? 0).matrixTransform(drawing.getScreenCTM().inverse());
+        if (x === undefined) Object.assign(at, { x: box.x + box.width / 2, y: box.y + box.height / 2 });
+        this.place(at.x - (at.x - box.x) * scale, at.y - (at.y - box.y) * scale, width, box.height * scale);
+    }
+
+    pan(x, y) {
+        const { drawing } = this;
+        if (!drawing) return;
+        const box = drawing.viewBox.baseVal;
+        const scale = drawing.getScreenCTM().a;
+        this.place(box.x - x / scale, box.y - y / scale, box.width, box.height);
+    }
+
+    place(x, y, width, height) {
+        const { all } = this.drawing;
+        const inside = (at, size, from, length) => Math.min(Math.max(at, from), from + length - size);
+        const left = inside(x, width, all.x, all.width);
+        const top = inside(y, height, all.y, all.height);
+        this.drawing.setAttribute('viewBox', `${left} ${top} ${width} ${height}`);
+    }
+
+    showAll() {
+        const { all } = this.drawing ?? {};
+        if (all) this.place(all.x, all.y, all.width, all.height);
+    }
+
+    setPlayer(player, sceneId, pixel) {
+        Object.assign(this, { player, sceneId, pixel });
+    }
+
+    chooseKind(kind) {
+        this.kind = kind;
+        byId('space').hidden = kind !== '3d';
+        this.host.hidden = kind === '3d';
+        this.note.hidden = true;
+        this.shownKey = undefined;
+        this.onSpace(kind === '3d');
+        if (this.player && this.step !== undefined) this.show(this.step, this.node, this.forced);
+    }
+
+    /** What is asked of the server for a step and node. */
+    wanted(step, node) {
+        const theme = document.documentElement.dataset.theme;
+        const path = this.player.nodes[node].path;
+        if (WHOLE_KINDS.includes(this.kind)) {
+            const isOfTree = this.kind === 'tree' || this.kind === 'ledger';
+            return { kind: this.kind, node: isOfTree ? 'root' : path, theme };
+        }
+        // A step without a diagram of its own leaves the last one of its ray.
+        for (let k = step; k >= 0 && this.player.steps[k].node === node; k -= 1) {
+            const diagram = this.player.steps[k].diagram;
+            if (!diagram) continue;
+            const about = { kind: diagram.kind, node: diagram.node === undefined ? path : this.player.nodes[diagram.node].path };
+            if (diagram.shape !== undefined) about.shape = diagram.shape;
+            if (diagram.primitive !== undefined) about.primitive = diagram.primitive;
+            return { ...about, theme };
+        }
+        return { kind: 'section', node: path, theme };
+    }
+
+    /** Shows the diagram of a step; resolves when it is on the page. */
+    async show(step, node, forced) {
+        Object.assign(this, { step, node, forced });
+        this.growing.disabled = Boolean(forced);
+        if (this.kind === '3d') return;
+        const about = this.wanted(step, node);
+        const key = this.keyOf(about);
+        if (key === this.shownKey) {
+            this.grow();
+            return;
+        }
+        this.wantedKey = key;
+        const kept = this.kept.get(key);
+        if (kept) {
+            this.put(key, kept);
+            return;
+        }
+        clearTimeout(this.waiting);
+        this.waiting = setTimeout(() => this.host.classList.add('waiting'), 200);
+        const got = await this.fetch(key, about);
+        if (this.wantedKey !== key) return;
+        clearTimeout(this.waiting);
+        this.host.classList.remove('waiting');
+        if (got) this.put(key, got);
+    }
+
+    keyOf(about) {
+        return `${this.sceneId} ${this.pixel} ${JSON.stringify(about)}`;
+    }
+
+    async fetch(key, about) {
+        try {
+            const svg = await this.api.diagram(this.sceneId, ...this.pixel, about);
+            const document = new DOMParser().parseFromString(svg, 'image/svg+xml');
+            this.keep(key, { root: document.documentElement });
+        } catch (error) {
+            if (error.status === undefined || error.status === 404) this.keep(key, { why: error.message }, true);
+            else this.keep(key, { why: error.message });
+        }
+        return this.kept.get(key) ?? this.failed;
+    }
+
+    keep(key, diagram, isPassing) {
+        if (isPassing && this.api.canTrace) {
+            this.failed = diagram;
+            return;
+        }
+        this.kept.set(key, diagram);
+        if (this.kept.size > KEPT_DIAGRAMS) this.kept.delete(this.kept.keys().next().value);
+    }
+
+    put(key, { root, why }) {
+        clearTimeout(this.waiting);
+        this.host.classList.remove('waiting');
+        this.shownKey = key;
+        this.note.hidden = !why;
+        setText(this.note, why ? `No diagram here: ${why}` : '');
+        if (!root) {
+            this.host.replaceChildren();
+            this.parts = [];
+            return;
+        }
+        root.removeAttribute('width');
+        root.removeAttribute('height');
+        this.host.replaceChildren(root);
+        cropToContents(root);
+        root.setAttribute('role', 'img');
+        const title = root.querySelector('title')?.textContent ?? 'Diagram';
+        const words = root.querySelector('desc')?.textContent ?? '';
+        root.setAttribute('aria-label', `${title}. ${words}`);
+        this.parts = [...root.querySelectorAll('[data-node]')].map((element) => [element, this.player.byPath.get(element.dataset.node)]);
+        this.grow();
+    }
+
+    /** Hides the rays that have not been reached. */
+    grow() {
+        if (!this.parts || this.kind === '3d') return;
+        const isGrowing = this.growing.checked || this.forced;
+        for (const [element, index] of this.parts) {
+            const isHidden = isGrowing && index !== undefined && !this.player.isReached(index, this.step);
+            element.classList.toggle('not-yet', isHidden);
+        }
+    }
+
+    /** Fetches what the next step will want. */
+    async prefetch(step, node) {
+        if (this.kind === '3d') return;
+        const about = this.wanted(step, node);
+        const key = this.keyOf(about);
+        if (this.kept.has(key) || this.fetching === key) return;
+        this.fetching = key;
+        await this.fetch(key, about);
+        this.fetching = undefined;
+    }
+}

@@ -1,0 +1,3 @@
+//! Comparing ray trees: where they part first, what follows, and how far apart is too far.
+
+mod trees;
