@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::arithmetic::{Formula, OnSurface, Split, Tiny, Values};
+use super::arithmetic::{Cosines, Formula, OnSurface, Split, Tiny, Values};
 use super::book::{Book, Setting};
 use super::pseudocode::Line;
 use super::tested::{exact_words, look};
@@ -66,6 +66,8 @@ struct Spot<'a> {
     surface: [f64; 3],
     /// The shading normal.
     normal: [f64; 3],
+    /// The kind of diagram that shows what happens here.
+    picture: &'static str,
 }
 
 impl Step {
@@ -324,7 +326,10 @@ impl<'a> Unroll<'a> {
     /// The lecture's Shade.
     fn shade(&mut self, node: &'a RayNode, hit: &'a HitRecord) -> [f64; 3] {
         let place = self.place(node);
-        let header = self.step(Line::Shade, place).calls(Procedure::Shade).shows("surface");
+        // Of a surface that sends no ray on there is a section alone.
+        let goes_on = node.reflected.is_some() || node.refracted.is_some();
+        let picture = if goes_on { "surface" } else { "section" };
+        let header = self.step(Line::Shade, place).calls(Procedure::Shade).shows(picture);
         header.sets("level", Variable::Integer(u64::from(node.depth))).sets("hit", hit_variable(hit));
         let radiance = node.radiance.unwrap_or_default();
         let object = self.scene.objects.get(hit.shape as usize);
@@ -340,7 +345,7 @@ impl<'a> Unroll<'a> {
         };
         let surface = material.pigment.color(hit.point.into(), in_plane).to_array();
         let normal = hit.shading_normal.unwrap_or(hit.geometric_normal);
-        let spot = Spot { place, node, hit, material, surface, normal };
+        let spot = Spot { place, node, hit, material, surface, normal, picture };
         self.point_and_normal(&spot, &object.shape);
         let mut color = self.ambient(&spot);
         color = self.lights(&spot, color);
@@ -348,14 +353,14 @@ impl<'a> Unroll<'a> {
         let (reflected, refracted) = (node.reflected.as_deref(), node.refracted.as_deref());
         if reflected.is_none() && refracted.is_none() {
             let words = "the surface neither reflects nor lets light through: the recursion ends here";
-            self.step(Line::ShadeReflected, place).finds(false, words).shows("surface").asks(next_ray(None));
+            self.step(Line::ShadeReflected, place).finds(false, words).shows(picture).asks(next_ray(None));
         }
         for child in reflected.into_iter().chain(refracted) {
             let is_reflected = child.kind == Kind::Reflected;
             let line = if is_reflected { Line::ShadeReflected } else { Line::ShadeRefracted };
             let words =
                 if is_reflected { "a ray goes back from the surface" } else { "a ray goes through the surface" };
-            let step = self.step(line, place).finds(true, words).shows("surface");
+            let step = self.step(line, place).finds(true, words).shows(picture);
             if is_reflected || reflected.is_none() {
                 step.asks(next_ray(Some(child.kind)));
             }
@@ -364,11 +369,11 @@ impl<'a> Unroll<'a> {
             let arithmetic = self.work(place, Formula::Sum, inputs, None, &[]);
             color = sum(color, returned);
             let line = if is_reflected { Line::ShadeReflectedSum } else { Line::ShadeRefractedSum };
-            self.step(line, place).works(arithmetic).sets("color", Variable::Vector(color)).shows("surface");
+            self.step(line, place).works(arithmetic).sets("color", Variable::Vector(color)).shows(picture);
         }
         let is_sum = color.map(f64::to_bits) == radiance.map(f64::to_bits);
         let step = self.step(Line::ShadeReturn, place).sets("color", Variable::Vector(radiance)).returning();
-        step.shows("surface");
+        step.shows(picture);
         if !is_sum {
             step.finds(false, "the tree has another colour than the sum of its parts");
         }
@@ -445,7 +450,7 @@ impl<'a> Unroll<'a> {
             (false, false) => "interpolated between the normals at the corners",
         };
         let step = self.step(Line::ShadeNormal, place).works(arithmetic).finds(true, words);
-        step.sets("n", Variable::Vector(spot.normal)).shows("surface");
+        step.sets("n", Variable::Vector(spot.normal)).shows(spot.picture);
     }
 
     fn ambient(&mut self, spot: &Spot<'_>) -> [f64; 3] {
@@ -460,7 +465,7 @@ impl<'a> Unroll<'a> {
             };
         }
         let step = self.step(Line::ShadeAmbient, spot.place).works(arithmetic).finds(true, words);
-        step.sets("color", Variable::Vector(ambient)).shows("surface");
+        step.sets("color", Variable::Vector(ambient)).shows(spot.picture);
         ambient
     }
 
@@ -469,7 +474,7 @@ impl<'a> Unroll<'a> {
         let lights = &self.scene.lights;
         if !spot.material.takes_direct_light() {
             let words = "the material has no diffuse and no specular term: direct light could not change it";
-            self.step(Line::ShadeLights, spot.place).finds(false, words).shows("surface");
+            self.step(Line::ShadeLights, spot.place).finds(false, words).shows(spot.picture);
             return color;
         }
         let words = match lights.len() {
@@ -477,18 +482,18 @@ impl<'a> Unroll<'a> {
             1 => "one light".to_owned(),
             n => format!("{n} lights"),
         };
-        self.step(Line::ShadeLights, spot.place).finds(!lights.is_empty(), words).shows("surface");
+        self.step(Line::ShadeLights, spot.place).finds(!lights.is_empty(), words).shows(spot.picture);
         let mut shadows = node.shadows.iter().enumerate().peekable();
         for light in lights {
             let light_name = Variable::Text(light.name.clone());
-            self.step(Line::ShadeDirect, spot.place).sets("light", light_name).shows("surface");
+            self.step(Line::ShadeDirect, spot.place).sets("light", light_name).shows(spot.picture);
             let shadow = shadows.next_if(|(_, shadow)| shadow.light.as_ref() == Some(&light.name));
             let direct = self.direct_light(spot, light, shadow);
             let inputs = vec![("color_so_far", Vector(color)), ("more", Vector(direct))];
             let arithmetic = self.work(spot.place, Formula::Sum, inputs, None, &[]);
             color = sum(color, direct);
             let step = self.step(Line::ShadeDirectSum, spot.place).works(arithmetic);
-            step.sets("color", Variable::Vector(color)).shows("surface");
+            step.sets("color", Variable::Vector(color)).shows(spot.picture);
         }
         color
     }
@@ -497,7 +502,7 @@ impl<'a> Unroll<'a> {
     fn direct_light(&mut self, spot: &Spot<'a>, light: &Light, shadow: Option<(usize, &'a RayNode)>) -> [f64; 3] {
         let place = spot.place;
         let black = Variable::Vector([0.0; 3]);
-        let header = self.step(Line::Direct, place).calls(Procedure::ComputeDirectLight).shows("surface");
+        let header = self.step(Line::Direct, place).calls(Procedure::ComputeDirectLight).shows(spot.picture);
         header.sets("light", Variable::Text(light.name.clone()));
         let way = self.way_to(spot, light, shadow.map(|(_, shadow)| shadow));
         let found = |name| {
@@ -510,7 +515,7 @@ impl<'a> Unroll<'a> {
             (None, _) => None,
         };
         let distance = found("distance");
-        let step = self.step(Line::DirectWay, place).works(way).shows("surface");
+        let step = self.step(Line::DirectWay, place).works(way).shows(spot.picture);
         if let Some(l) = l {
             step.sets("l", Variable::Vector(l));
         }
@@ -535,7 +540,7 @@ impl<'a> Unroll<'a> {
         };
         let question = Question::yes_or_no(format!("Does the surface face {}?", light.name), is_faced);
         let step = self.step(Line::DirectCosine, place).works(cosine.filter(|_| agrees)).finds(is_faced, words);
-        step.asks(question).shows("surface");
+        step.asks(question).shows(spot.picture);
         if let Some(n_dot_l) = n_dot_l.filter(|_| agrees) {
             step.sets("n_dot_l", Variable::Number(n_dot_l));
         }
@@ -546,7 +551,11 @@ impl<'a> Unroll<'a> {
         let at = self.place(shadow);
         if !shadow.outcome.is_traced() {
             let words = "the rays of this pixel are spent: what is not known to be lit counts as blocked";
-            self.step(Line::DirectIntersect, at).finds(false, words).sets("direct", black).returning().shows("surface");
+            self.step(Line::DirectIntersect, at)
+                .finds(false, words)
+                .sets("direct", black)
+                .returning()
+                .shows(spot.picture);
             return [0.0; 3];
         }
         self.step(Line::DirectIntersect, at).shows("section");
@@ -583,7 +592,7 @@ impl<'a> Unroll<'a> {
             arithmetic = self.work(place, Formula::Diffuse, inputs, None, &[("diffuse", Vector(diffuse))]);
             words = "Lambert's law";
         }
-        let step = self.step(Line::DirectDiffuse, place).works(arithmetic).finds(true, words).shows("surface");
+        let step = self.step(Line::DirectDiffuse, place).works(arithmetic).finds(true, words).shows(spot.picture);
         step.sets("diffuse", Variable::Vector(diffuse));
         let (mut arithmetic, mut words) = (None, "the material has no highlight");
         if let Some(k) = spot.material.specular {
@@ -597,12 +606,12 @@ impl<'a> Unroll<'a> {
             arithmetic = self.work(place, Formula::Specular, inputs, None, &[("specular", Vector(specular))]);
             words = "Phong's highlight";
         }
-        let step = self.step(Line::DirectSpecular, place).works(arithmetic).finds(true, words).shows("surface");
+        let step = self.step(Line::DirectSpecular, place).works(arithmetic).finds(true, words).shows(spot.picture);
         step.sets("specular", Variable::Vector(specular));
         let inputs = vec![("diffuse", Vector(diffuse)), ("specular", Vector(specular))];
         let arithmetic = self.work(place, Formula::Direct, inputs, None, &[]);
         let direct = sum(diffuse, specular);
-        let step = self.step(Line::DirectReturn, place).works(arithmetic).returning().shows("surface");
+        let step = self.step(Line::DirectReturn, place).works(arithmetic).returning().shows(spot.picture);
         step.sets("direct", Variable::Vector(direct));
         direct
     }
@@ -635,6 +644,7 @@ impl<'a> Unroll<'a> {
         let is_total = node.total_reflection;
         let inputs = vec![("n", Vector(spot.normal)), ("n_i", Number(n_i)), ("n_t", Number(n_t))];
         let is_certified = self.book.setting.numerics == Numerics::Certified;
+        let sign = if is_certified { self.transmission(spot) } else { None };
         let (mut arithmetic, mut words) = (None, String::new());
         let n_words = format!("from index {} into {}", six_digits(n_i), six_digits(n_t));
         if !is_certified {
@@ -645,24 +655,31 @@ impl<'a> Unroll<'a> {
             words = format!("{n_words}, {verdict}");
         } else if n_i == n_t {
             words = format!("{n_words}: equal indices, the ray goes straight on");
-        } else if let Some(s) = self.transmission(spot) {
-            let verdict =
+        } else if let Some(s) = sign {
+            let words_of =
                 if is_total { "S < 0: no light gets through, total reflection" } else { "S >= 0: light gets through" };
-            words = format!("{n_words}, S = {}; {verdict}", six_digits(s));
-            if !is_total {
-                let inputs = [inputs, vec![("S", Number(s))]].concat();
-                arithmetic = self.work(place, Formula::Cosines, inputs, None, &[]);
+            words = format!("{n_words}, {words_of}");
+            arithmetic = self.work(place, Formula::SnellSign, inputs, None, &[]);
+            if let Some(arithmetic) = &mut arithmetic {
+                let note = format!(
+                    "S = {s:?}: worked out with more digits, then rounded. Its sign decides, not that of S_64."
+                );
+                arithmetic.note = Some(note);
             }
         }
         let stage = node.refraction_certificate.map(|certificate| certificate.stage).filter(|s| *s != Stage::Filter);
         if let Some(stage) = stage {
             words = format!("{words}; decided exactly, {}", exact_words(stage));
         }
-        let cosines = arithmetic.as_ref().and_then(|arithmetic| {
+        let given = |arithmetic: &Arithmetic| {
             let value = |name| super::value_of(&arithmetic.values, name);
-            Some((value("cos_i")?, value("cos_t")?))
-        });
-        let step = self.step(Line::ShadeSnell, place).works(arithmetic).finds(!is_total, words).shows("surface");
+            Some((Cosines::Given, vec![("cos_i", value("cos_i")?), ("cos_t", value("cos_t")?)]))
+        };
+        let cosines = match sign {
+            Some(s) => Some((Cosines::FromSign, vec![("n", Vector(spot.normal)), ("S", Number(s))])),
+            None => arithmetic.as_ref().and_then(given),
+        };
+        let step = self.step(Line::ShadeSnell, place).works(arithmetic).finds(!is_total, words).shows(spot.picture);
         step.marks(Mark::TotalReflection, is_total).marks(Mark::Exact, stage.is_some());
         if is_through {
             step.asks(Question::yes_or_no("Is all light reflected?", is_total));
@@ -671,18 +688,18 @@ impl<'a> Unroll<'a> {
         let mut arithmetic = None;
         let words = if n_i == n_t {
             "equal indices: nothing is reflected"
-        } else if let Some((cos_i, cos_t)) = cosines.filter(|_| !is_total) {
+        } else if let (false, Some((given, cosines))) = (is_total, cosines) {
             let formula = match fresnel {
-                Fresnel::Exact => Formula::FresnelExact,
-                Fresnel::Schlick => Formula::FresnelSchlick { from_smaller: n_i <= n_t },
+                Fresnel::Exact => Formula::FresnelExact(given),
+                Fresnel::Schlick => Formula::FresnelSchlick { given, from_smaller: n_i <= n_t },
             };
-            let inputs = vec![("n_i", Number(n_i)), ("n_t", Number(n_t)), ("cos_i", cos_i), ("cos_t", cos_t)];
+            let inputs = [cosines, vec![("n_i", Number(n_i)), ("n_t", Number(n_t))]].concat();
             arithmetic = self.work(place, formula, inputs, None, &[("R", Number(r))]);
             "so much comes back; the rest goes through"
         } else {
             "total reflection: everything comes back"
         };
-        let step = self.step(Line::ShadeFresnel, place).works(arithmetic).finds(true, words).shows("surface");
+        let step = self.step(Line::ShadeFresnel, place).works(arithmetic).finds(true, words).shows(spot.picture);
         step.sets("R", Variable::Number(r));
     }
 
@@ -718,15 +735,15 @@ impl<'a> Unroll<'a> {
         };
         let [header, way, share, level, trace, last] = lines;
         let procedure = if is_reflected { Procedure::Reflected } else { Procedure::Refracted };
-        let step = self.step(header, at).calls(procedure).shows_of("surface", spot.place);
+        let step = self.step(header, at).calls(procedure).shows_of(spot.picture, spot.place);
         step.sets("level", Variable::Integer(u64::from(spot.node.depth)));
 
         let (arithmetic, words) = self.way_of_child(spot, child, at);
-        let step = self.step(way, at).works(arithmetic).finds(true, words).shows_of("surface", spot.place);
+        let step = self.step(way, at).works(arithmetic).finds(true, words).shows_of(spot.picture, spot.place);
         step.sets(if is_reflected { "r" } else { "t" }, Variable::Vector(child.direction));
 
         let (arithmetic, value, words) = self.share_of_child(spot, child, at);
-        let step = self.step(share, at).works(arithmetic).finds(true, words).shows_of("surface", spot.place);
+        let step = self.step(share, at).works(arithmetic).finds(true, words).shows_of(spot.picture, spot.place);
         step.sets("share", Variable::Vector(value));
         if let Some(weight) = child.weight {
             step.sets("weight", Variable::Vector(weight));
