@@ -160,7 +160,9 @@ class KeptApi {
         const { diagrams } = await this.pixel(x, y);
         const svg = diagrams?.[query(about)];
         if (!svg) throw new ApiProblem(404, { why: 'This diagram is not kept in this page.' });
-        return svg;
+        this.outlines ??= unpacked(this.kept.glyphs).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
+        const outlines = await this.outlines;
+        return svg.replace(/<path id="([^"]+)"\/>/g, (whole, name) => `<path id="${name}" d="${outlines[name]}"/>`);
     }
 
     keepsPixel(x, y) {
