@@ -160,13 +160,24 @@ class KeptApi {
         const { diagrams } = await this.pixel(x, y);
         const svg = diagrams?.[query(about)];
         if (!svg) throw new ApiProblem(404, { why: 'This diagram is not kept in this page.' });
-        this.outlines ??= unpacked(this.kept.glyphs).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
-        const outlines = await this.outlines;
-        return svg.replace(/<path id="([^"]+)"\/>/g, (whole, name) => `<path id="${name}" d="${outlines[name]}"/>`);
+        // The outlines of letters are kept once for all drawings.
+        this.glyphs ??= unpacked(this.kept.glyphs).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
+        const glyphs = await this.glyphs;
+        return svg.replace(/<path id="([^"]+)"\/>/g, (whole, name) => (glyphs[name] ? `<path id="${name}" d="${glyphs[name]}"/>` : whole));
     }
 
     keepsPixel(x, y) {
         return this.blocks.has(`${x},${y}`);
+    }
+
+    /** The kept pixel to go to from one pixel for a wish: the nearest, of an arrow key's that lie its way. */
+    nearestKept([x, y], from, isArrow) {
+        const [dx, dy] = isArrow ? [x - from[0], y - from[1]] : [0, 0];
+        const along = ([a, b]) => (a - from[0]) * Math.sign(dx) + (b - from[1]) * Math.sign(dy);
+        const beside = ([a, b]) => Math.abs((a - from[0]) * Math.sign(dy)) + Math.abs((b - from[1]) * Math.sign(dx));
+        const away = (pixel) => (isArrow ? along(pixel) + 2 * beside(pixel) : Math.hypot(pixel[0] - x, pixel[1] - y));
+        const all = this.pixels().filter((pixel) => !isArrow || along(pixel) > 0);
+        return all.reduce((best, pixel) => (away(pixel) < away(best) ? pixel : best), all[0] ?? from);
     }
 
     /** The kept pixels as `[x, y]`. */

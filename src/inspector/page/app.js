@@ -19,7 +19,7 @@ class Inspector {
     constructor() {
         this.api = openApi();
         this.render = new RenderPane({
-            onPixel: (x, y, isPassing) => this.choosePixel(x, y, { isPassing }),
+            onPixel: (x, y, isPassing, isArrow) => this.wishPixel(x, y, isPassing, isArrow),
             onOverlay: (kind) => this.showOverlay(kind),
         });
         this.tree = new TreePane({ onNode: (node) => this.chooseNode(node) });
@@ -57,6 +57,7 @@ class Inspector {
             this.whatIf.start(scene);
             this.setScene(scene);
             this.startRender();
+            if (!this.api.canTrace) this.render.markKept(this.api.pixels());
             await this.openAddress(true);
         } catch (error) {
             this.wall(error);
@@ -130,6 +131,12 @@ class Inspector {
         } catch (error) {
             if (!signal.aborted) this.say(error.message);
         }
+    }
+
+    /** Chooses a pixel; in an exported page the one that is kept and lies nearest. */
+    wishPixel(x, y, isPassing, isArrow) {
+        const pixel = this.api.keepsPixel(x, y) ? [x, y] : this.api.nearestKept([x, y], this.pixel, isArrow);
+        if (this.api.canTrace || pixel.join() !== this.pixel.join()) this.choosePixel(...pixel, { isPassing });
     }
 
     /** Chooses a pixel: one recording is under way at a time, and only the newest wish waits. */
@@ -270,7 +277,7 @@ class Inspector {
     async present() {
         const { step, node, player } = this;
         const hidesLater = this.predictor.isOn;
-        this.controls.show(step, this.words());
+        this.controls.show(step, this.words(), hidesLater);
         this.code.show(step);
         this.tree.show(step, node, hidesLater);
         this.tests.show(step, node, hidesLater);
@@ -292,12 +299,18 @@ class Inspector {
     words() {
         const { node, line, verdict } = this.player.steps[this.step];
         const code = this.player.pseudocode[line];
-        return [code?.procedure, this.player.nodes[node].path, verdict?.words].filter(Boolean).join(', ');
+        return [code?.procedure, this.nodeName(node), verdict?.words].filter(Boolean).join(', ');
+    }
+
+    /** What a ray is and what became of it; while one predicts, only what is known already. */
+    nodeName(node) {
+        const { name, ray } = this.player.nodes[node];
+        return this.predictor.isOn && !this.player.isDecided(node, this.step) ? `${ray.kind} ray` : name;
     }
 
     status() {
         const { node, line, verdict } = this.player.steps[this.step];
-        const parts = [make('b', { text: this.player.pseudocode[line]?.procedure ?? '' }), `  ${this.player.nodes[node].name ?? this.player.nodes[node].path}`];
+        const parts = [make('b', { text: this.player.pseudocode[line]?.procedure ?? '' }), `  ${this.nodeName(node)}`];
         if (verdict) parts.push('  \u2013  ', make('span', { class: verdict.ok ? 'good-word' : 'bad-word', text: verdict.words }));
         byId('status').replaceChildren(...parts);
     }
@@ -330,7 +343,8 @@ class Inspector {
         const kept = this.api.pixels?.();
         if (pixel && kept && !this.api.keepsPixel(...pixel)) pixel = undefined;
         if (!pixel && !isFirst) return;
-        const first = kept?.[0] ?? (this.scene.pixels[0] ? [this.scene.pixels[0].x, this.scene.pixels[0].y] : [width >> 1, height >> 1]);
+        const named = this.scene.pixels.map((one) => [one.x, one.y]).find((one) => this.api.keepsPixel(...one));
+        const first = named ?? kept?.[0] ?? [width >> 1, height >> 1];
         const step = pixel && said.get('step') ? Number(said.get('step')) : undefined;
         const node = pixel ? said.get('node') ?? undefined : undefined;
         await this.choosePixel(...(pixel ?? first), { isPassing: true, step, node });

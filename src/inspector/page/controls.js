@@ -72,7 +72,12 @@ export class Controls {
     }
 
     /** Shows a step. */
-    show(step, words) {
+    show(step, words, hidesLater) {
+        if (hidesLater || this.hidesLater) {
+            this.hidesLater = hidesLater;
+            this.step = step;
+            this.drawTimeline();
+        }
         const count = this.player.steps.length;
         this.slider.value = step;
         this.slider.setAttribute('aria-valuetext', `step ${step + 1} of ${count}: ${words}`);
@@ -81,7 +86,7 @@ export class Controls {
         for (const id of ['go-into', 'go-over', 'go-out', 'go-end']) byId(id).disabled = step === count - 1;
     }
 
-    /** A band that says for each step what kind of ray is at work, and how deep the recursion is. */
+    /** A band that says for each step what kind of ray is at work, and how deep the recursion is; while one predicts, so far. */
     drawTimeline() {
         if (!this.player || !this.timeline.clientWidth) return;
         const width = Math.round(this.timeline.clientWidth * devicePixelRatio);
@@ -93,7 +98,8 @@ export class Controls {
         const { steps, nodes } = this.player;
         let deepest = 1;
         for (const { ray } of nodes) deepest = Math.max(deepest, ray.depth + 1);
-        for (let x = 0; x < width; x += 1) {
+        const end = this.hidesLater ? (width * (this.step + 1)) / steps.length : width;
+        for (let x = 0; x < end; x += 1) {
             const { ray } = nodes[steps[Math.min(steps.length - 1, Math.floor((x / width) * steps.length))].node];
             const tall = Math.max(2, Math.round((height * (ray.depth + 1)) / (deepest + 1)));
             context.fillStyle = colors[ray.kind];

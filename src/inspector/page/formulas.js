@@ -75,15 +75,15 @@ export function valueElement(value, write) {
     return row;
 }
 
-/** Draws an expression; `leaf` says what stands for a name, `write` how a number is written. */
-function drawExpression(expression, needed, leaf, write) {
+/** Draws an expression; `leaf` says what stands for a name, `component` for one of its components, `write` how a number is written. */
+function drawExpression(expression, needed, leaf, write, component) {
     if (typeof expression === 'string') return leaf(expression, needed);
     if (typeof expression === 'number') {
         const drawn = numberElement(expression, write);
         return expression < 0 && needed > SUM ? bracketed(drawn) : drawn;
     }
     const [name, ...operands] = expression;
-    const draw = (operand, at) => drawExpression(operand, at, leaf, write);
+    const draw = (operand, at) => drawExpression(operand, at, leaf, write, component);
     const isOfVectors = name === 'dot' || name === 'cross';
     if (SIGNS[name] && operands.length === 2) {
         const [sign, binding] = SIGNS[name];
@@ -111,7 +111,7 @@ function drawExpression(expression, needed, leaf, write) {
         case 'x':
         case 'y':
         case 'z':
-            return makeMath('msub', {}, draw(operands[0], TIGHT), makeMath('mi', { text: name }));
+            return component(operands[0], name, needed) ?? makeMath('msub', {}, draw(operands[0], TIGHT), makeMath('mi', { text: name }));
         case 'if<': {
             const [a, b, yes, no] = operands.map((operand) => draw(operand, 0));
             const words = (text) => makeMath('mtext', { text });
@@ -139,6 +139,16 @@ function sameTree(a, b) {
 export function drawLine(line, values, options) {
     const write = options.allDigits ? (x) => exact(x, options.single) : (x) => brief(x, 5);
     const isVector = (name) => Array.isArray(values[name]);
+    const symbolOfPart = (name, axis) => {
+        if (typeof name !== 'string' || name.includes('_')) return undefined;
+        return makeMath('msub', {}, letter(name, false), makeMath('mi', { text: axis }));
+    };
+    const numberOfPart = (name, axis, needed) => {
+        const x = values[name]?.['xyz'.indexOf(axis)];
+        if (typeof x !== 'number') return undefined;
+        const drawn = numberElement(x, write);
+        return needed > SUM && (x < 0 || Object.is(x, -0)) ? bracketed(drawn) : drawn;
+    };
     const inSymbols = (name) => symbol(name, isVector(name));
     const inNumbers = (name, needed) => {
         const value = values[name];
@@ -153,14 +163,14 @@ export function drawLine(line, values, options) {
         // The symbol says already what is computed.
         pieces.push(piece('in-symbols', symbol(line.name)));
         if (values[line.name] !== undefined) {
-            pieces.push(piece('in-numbers', operator('='), drawExpression(line.expression, 0, inNumbers, write)));
+            pieces.push(piece('in-numbers', operator('='), drawExpression(line.expression, 0, inNumbers, write, numberOfPart)));
         }
     } else if (line.expression !== undefined) {
-        const drawn = drawExpression(line.expression, 0, inSymbols, write);
+        const drawn = drawExpression(line.expression, 0, inSymbols, write, symbolOfPart);
         pieces.push(piece('in-symbols', symbol(line.name, isVector(line.name)), operator('='), drawn));
         const isPlain = typeof line.expression === 'string' || typeof line.expression === 'number';
         if (!isPlain && values[line.name] !== undefined) {
-            pieces.push(piece('in-numbers', operator('='), drawExpression(line.expression, 0, inNumbers, write)));
+            pieces.push(piece('in-numbers', operator('='), drawExpression(line.expression, 0, inNumbers, write, numberOfPart)));
         }
     } else {
         pieces.push(piece('in-symbols', symbol(line.name, isVector(line.name))));

@@ -98,6 +98,16 @@ export class Player {
         return last <= step;
     }
 
+    /** The `t` of the best hit of a node among its tests up to a step. */
+    bestSoFar(node, step) {
+        let best;
+        for (const [test, places] of this.testSteps[node]) {
+            const shape = this.nodes[node].ray.tests?.[test]?.shape;
+            if (places[0] <= step && shape?.verdict === 'best') best = shape.t;
+        }
+        return best;
+    }
+
     /** Whether a node has returned its colour. */
     isFinished(node, step) {
         return this.lastStep[node] >= 0 ? this.lastStep[node] <= step : this.isReached(node, step);

@@ -73,7 +73,7 @@ export class Predictor {
         });
         this.onReveal(this.step);
         const next = make('button', { type: 'button', text: 'Go on', on: { click: () => this.goOn() } });
-        const words = isRight ? 'Right.' : `No: ${choices[answer]}.`;
+        const words = isRight ? 'Right.' : `Not so. It is: ${choices[answer]}.`;
         this.after.append(make('span', { text: words }), next);
         next.focus();
     }

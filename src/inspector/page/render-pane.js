@@ -8,7 +8,7 @@ import { cssOfLinear } from './palette.js';
 /** Pixels across the magnifier. */
 const ACROSS = 11;
 
-/** The pane. `onPixel(x, y)` hears every pixel that is chosen; `onOverlay(kind)` every overlay. */
+/** The pane. `onPixel(x, y, isPassing, isArrow)` hears every pixel that is chosen; `onOverlay(kind)` every overlay. */
 export class RenderPane {
     constructor({ onPixel, onOverlay }) {
         this.onPixel = onPixel;
@@ -46,6 +46,19 @@ export class RenderPane {
         this.stage.style.width = `min(100cqw, 42vh * ${width / height})`;
         this.names.replaceChildren(make('option', { value: '', text: 'pixels by name' }));
         for (const { name, x, y } of scene.pixels) this.names.append(make('option', { value: `${x},${y}`, text: name }));
+    }
+
+    /** Marks pixels that can be chosen, where not all can. */
+    markKept(pixels) {
+        const { width, height } = this.scene.image;
+        if (pixels.length > 400) return;
+        for (const [x, y] of pixels) {
+            const mark = make('span', { class: 'kept', 'aria-hidden': 'true' });
+            mark.style.left = `${((x + 0.5) / width) * 100}%`;
+            mark.style.top = `${((y + 0.5) / height) * 100}%`;
+            this.cross.before(mark);
+        }
+        setText(byId('stage-help'), 'Arrow keys choose the next pixel that is kept in this page; a click chooses the nearest.');
     }
 
     /** Takes rows of sRGB. */
@@ -131,7 +144,7 @@ export class RenderPane {
             event.stopPropagation();
             const { width, height } = this.scene.image;
             const [x, y] = [this.pixel[0] + move[0], this.pixel[1] + move[1]];
-            this.onPixel(Math.max(0, Math.min(width - 1, x)), Math.max(0, Math.min(height - 1, y)), event.repeat);
+            this.onPixel(Math.max(0, Math.min(width - 1, x)), Math.max(0, Math.min(height - 1, y)), event.repeat, true);
         });
         this.names.addEventListener('change', () => {
             if (this.names.value) this.onPixel(...this.names.value.split(',').map(Number));

@@ -8,7 +8,7 @@ const SIGNS_OF = { entered: ['\u2193', '', 'entered'], best: ['\u2713', 'good', 
 /** What a test was of, in words. */
 export function testName(test) {
     const about = test.bounds ?? test.shape;
-    const part = about.primitive === undefined ? '' : ` ${test.bounds ? 'triangle' : 'part'} ${about.primitive}`;
+    const part = about.primitive === undefined ? '' : `, triangle ${about.primitive}`;
     const object = about.object === undefined ? '' : `${about.object}${part}`;
     if (test.shape) return object || `shape ${about.shape}`;
     const node = about.node === undefined ? 'box' : `box ${about.node}`;

@@ -39,6 +39,7 @@ export class WhatIf {
         this.at = 0;
         this.setScene(scene);
         this.showHistory();
+        this.showDifference();
     }
 
     /** A scene has been traced. */
