@@ -214,6 +214,8 @@ export class DiagramPane {
         this.host.replaceChildren(root);
         cropToContents(root);
         root.setAttribute('role', 'img');
+        // The drawing is one picture with one description: what is written in it is no element of its own.
+        for (const part of root.querySelectorAll('g[aria-label]')) part.removeAttribute('aria-label');
         const title = root.querySelector('title')?.textContent ?? 'Diagram';
         const words = root.querySelector('desc')?.textContent ?? '';
         root.setAttribute('aria-label', `${title}. ${words}`);

@@ -166,7 +166,7 @@ export class View3d {
 
     bar() {
         const button = (text, label, run, isWide) => {
-            const about = { type: 'button', title: label, 'aria-label': label, class: isWide ? 'wide-button' : '', text };
+            const about = { type: 'button', title: label, 'aria-label': isWide ? undefined : label, class: isWide ? 'wide-button' : '', text };
             return make('button', { ...about, on: { click: run } });
         };
         this.showsBoxes = true;
