@@ -18,14 +18,15 @@ use crate::tree::NodePath;
 
 /// Draws every diagram of every named pixel of scenes, as files, contact sheets and an index.html
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:
-  raytree gallery gallery scenes
+#[command(after_help = "Examples:
+  raytree gallery diagrams
+  raytree gallery diagrams scenes/whitted.json --svg
 Each scene gets a folder with its diagrams and a contact sheet of all; index.html needs nothing from elsewhere.")]
 pub(super) struct Args {
     /// Folder to write to; made if it is not there
     folder: String,
     /// Scene files, or folders with scene files
-    #[arg(required = true)]
+    #[arg(default_value = "scenes")]
     scenes: Vec<String>,
     /// Diagrams as SVG instead of PNG
     #[arg(long)]

@@ -194,9 +194,6 @@ fn is_ray(line: &str) -> bool {
     matches!(word, Some("camera" | "shadow" | "reflected" | "refracted"))
 }
 
-/// A ledger of the least height that is worth the ink.
-const LEDGER: f64 = 110.0;
-
 /// The section, the diagrams of the first hit, the tree and the ledger: the first four that there are, and the ledger
 /// below a small tree.
 fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
@@ -231,8 +228,7 @@ fn panels(page: &mut Drawing, room: Rect, input: &Input<'_>, theme: &Theme) {
             let left = size.y - needed - GAP;
             // Below a small tree there is room for the ledger.
             let is_last = y > room.min.y && i + 1 == lower.len();
-            let ledger =
-                (is_last && !has_ledger && left >= LEDGER).then(|| draw(Kind::Ledger, DVec2::new(size.x, left)));
+            let ledger = (is_last && !has_ledger && left > 0.0).then(|| draw(Kind::Ledger, DVec2::new(size.x, left)));
             match ledger.flatten().filter(|ledger| ledger.canvas().size().y <= left) {
                 Some(ledger) => {
                     framed(page, Rect::new(corner, (size.x, needed)), drawing);

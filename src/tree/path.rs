@@ -55,6 +55,16 @@ impl NodePath {
         NodePath(self.0.iter().copied().chain([branch]).collect())
     }
 
+    /// How many branches it takes: 0 for the root.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether it is the way to the root.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// The way to the parent; nothing at the root.
     pub fn parent(&self) -> Option<Self> {
         let (_, before) = self.0.split_last()?;

@@ -92,7 +92,7 @@ pub(super) fn operand(x: f64) -> String {
 
 /// The largest and the smallest size of a column's formulas.
 const LARGEST: f64 = 14.0;
-const SMALLEST: f64 = 8.5;
+const SMALLEST: f64 = 9.5;
 
 /// Writes lines one below the other into `room`, smaller where they would not fit, without those that may be left out where that
 /// does not help.

@@ -42,7 +42,7 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
     let most = ((head.size().y - HEAD - FOOT) / ROW).floor().clamp(3.0, 40.0) as usize - 1;
     let rows = rows(input, &ledger, most);
     let height = head.min.y + HEAD + ROW * (rows.len() + 1) as f64 + FOOT + frame::MARGIN;
-    let (mut drawing, room) = frame::begin(DVec2::new(input.size.x, height.min(input.size.y)), &title, note, theme);
+    let (mut drawing, room) = frame::begin(DVec2::new(input.size.x, height), &title, note, theme);
     let sum = |rgb: [f64; 3]| shown(luminance(rgb));
     drawing.describe(format!("{} terms add up to the pixel's luminance {}.", rows.len(), sum(ledger.color)));
 

@@ -140,18 +140,22 @@ impl<'a> Sketch<'a> {
     pub(super) fn beside(&mut self, a: DVec2, b: DVec2, words: impl Into<Words>, color: Color) {
         let Some((a, b)) = self.cut(a, b) else { return };
         let across = (b - a).try_normalize().unwrap_or(DVec2::X).perp();
+        let words = words.into();
+        // Of a label over the middle of a line that rises gently, one end comes nearer to it.
+        let half = Text::new(LABEL, color).ink(DVec2::ZERO, words.clone()).map_or(0.0, |ink| 0.5 * ink.size().x);
         let mut places = Vec::new();
         for gap in [7.0, 16.0, 30.0, 48.0] {
             for share in [0.5, 0.36, 0.64, 0.22, 0.78] {
                 for off in [across, -across] {
                     let align = side(off.x, [Align::End, Align::Middle, Align::Start]);
                     let level = side(off.y, [Level::Baseline, Level::Middle, Level::Top]);
+                    let gap = gap + if align == Align::Middle { half * off.x.abs() } else { 0.0 };
                     let of = a.lerp(b, share);
                     places.push(Placement { of: Some(of), at: of + gap * off, align, level });
                 }
             }
         }
-        self.want(words.into(), color, places, None);
+        self.want(words, color, places, None);
     }
 
     /// Names an area around `middle`: the label stands on it, or near it with a line to it.

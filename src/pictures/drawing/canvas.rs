@@ -94,6 +94,7 @@ impl Canvas {
                         Some(None) => {}
                     }
                 }
+                Item::About { items, .. } => self.items(items, frame, mask),
             }
         }
     }

@@ -54,6 +54,8 @@ pub(super) enum Item {
     Image { raster: Raster, rect: Rect, sampling: Sampling },
     /// Items that are scaled, then moved, then cut to a path in the frame around the group.
     Group { clip: Option<Path>, offset: DVec2, scale: f64, items: Vec<Item> },
+    /// Items that show the node of a ray tree at this path.
+    About { node: String, items: Vec<Item> },
 }
 
 impl Item {
@@ -79,6 +81,7 @@ impl Item {
                 numbers.extend([offset.x, offset.y, *scale]);
                 numbers
             }
+            Self::About { .. } => Vec::new(),
         }
     }
 

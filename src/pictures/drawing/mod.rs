@@ -178,6 +178,17 @@ impl Drawing {
         self.push("clipped", Item::Group { clip: Some(clip), offset: DVec2::ZERO, scale: 1.0, items });
     }
 
+    /// Draws what `draw` draws, as what shows one node of a ray tree: in SVG a group with `data-node="PATH"`, which a page can
+    /// hide until that ray is traced. A PNG looks the same with and without.
+    pub fn about(&mut self, node: &str, draw: impl FnOnce(&mut Drawing)) {
+        let before = self.items.len();
+        draw(self);
+        let items = self.items.split_off(before);
+        if !items.is_empty() {
+            self.push("about", Item::About { node: node.to_owned(), items });
+        }
+    }
+
     /// Draws another drawing, its upper left corner at `corner`, `scale` times as large, cut to its canvas. Its background is
     /// not drawn; its labels become labels of this one.
     pub fn place(&mut self, other: &Drawing, corner: impl Into<DVec2>, scale: f64) {

@@ -96,6 +96,11 @@ impl Body {
                     self.text.push_str(if moves { "</g>" } else { "" });
                     self.text.push_str(if clip.is_some() { "</g>\n" } else { "\n" });
                 }
+                Item::About { node, items } => {
+                    let _ = writeln!(self.text, "<g data-node=\"{}\">", escape(node));
+                    self.items(items, depth + 1);
+                    let _ = writeln!(self.text, "{}</g>", " ".repeat(depth - 1));
+                }
             }
         }
     }

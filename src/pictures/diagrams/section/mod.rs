@@ -85,7 +85,9 @@ pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotAppli
 
 /// The rays of the tree, the one the diagram is about among them.
 fn rays_of<'t>(input: &Input<'t>) -> Vec<Ray<'t>> {
-    let mut rays: Vec<Ray<'_>> = input.tree.root.walk().enumerate().map(|(i, node)| Ray::new(i + 1, node)).collect();
+    let nodes = input.tree.nodes();
+    let mut rays: Vec<Ray<'_>> =
+        nodes.iter().enumerate().map(|(i, (path, node))| Ray::new(i + 1, path, node)).collect();
     if rays.len() > MOST {
         let about = |ray: &Ray<'_>| if std::ptr::eq(ray.node, input.node) { f64::INFINITY } else { ray.importance };
         rays.sort_by(|a, b| about(b).total_cmp(&about(a)));

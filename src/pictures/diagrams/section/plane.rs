@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use crate::pictures::diagrams::Input;
 use crate::scene::Shape;
-use crate::tree::{Kind, Outcome, RayNode};
+use crate::tree::{Kind, NodePath, Outcome, RayNode};
 
 /// The sine of the angle up to which a point counts as in the plane: a tenth of a degree.
 const NEAR: f64 = 2e-3;
@@ -34,6 +34,8 @@ pub(super) struct Ray<'t> {
     pub(super) node: &'t RayNode,
     /// Its line in the tree's text, from 1.
     pub(super) number: usize,
+    /// The way to it from the root.
+    pub(super) path: String,
     pub(super) start: DVec3,
     pub(super) direction: DVec3,
     /// Where it ends; nothing if it goes on for ever.
@@ -43,7 +45,7 @@ pub(super) struct Ray<'t> {
 }
 
 impl<'t> Ray<'t> {
-    pub(super) fn new(number: usize, node: &'t RayNode) -> Self {
+    pub(super) fn new(number: usize, path: &NodePath, node: &'t RayNode) -> Self {
         let (start, direction) = (DVec3::from(node.origin), DVec3::from(node.direction));
         let end = match (&node.hit, node.outcome, node.t_max) {
             (Some(hit), _, _) => Some(DVec3::from(hit.point)),
@@ -56,7 +58,7 @@ impl<'t> Ray<'t> {
             _ if !node.outcome.is_traced() => 0.1,
             _ => 1.0,
         };
-        Ray { node, number, start, direction, end, importance: share * (0.2 + 0.8 * weight) }
+        Ray { node, number, path: path.to_string(), start, direction, end, importance: share * (0.2 + 0.8 * weight) }
     }
 
     /// A point that it goes to: its end, or one on its way.

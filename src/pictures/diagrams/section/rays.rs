@@ -17,6 +17,9 @@ const PALE: f64 = 0.42;
 /// How long a ray that was not traced is drawn.
 const STUB: f64 = 30.0;
 
+/// How many rays, the weightiest first, are named with their length; the others by their number alone, where there is room.
+const SPELT_OUT: usize = 12;
+
 /// A ray on the canvas.
 struct Shown<'r, 't> {
     ray: &'r Ray<'t>,
@@ -42,15 +45,15 @@ pub(super) fn draw(
     let mut order: Vec<&Shown<'_, '_>> = shown.iter().collect();
     order.sort_by(|a, b| a.ray.importance.total_cmp(&b.ray.importance));
     for ray in &order {
-        line(drawing, ray, theme);
+        drawing.about(&ray.ray.path, |drawing| line(drawing, ray, theme));
         taken.take_line(ray.from, ray.to);
     }
     for ray in order.iter().rev() {
-        mark(drawing, plane, ray, taken, theme);
+        drawing.about(&ray.ray.path, |drawing| mark(drawing, plane, ray, taken, theme));
     }
     name_the_ends(drawing, &shown, taken, theme);
-    for ray in order.iter().rev() {
-        number(drawing, plane, ray, taken, theme);
+    for (rank, ray) in order.iter().rev().enumerate() {
+        drawing.about(&ray.ray.path, |drawing| number(drawing, plane, ray, rank < SPELT_OUT, taken, theme));
     }
 }
 
@@ -150,11 +153,23 @@ fn end_places(end: DVec2, other: DVec2) -> Vec<Place> {
     places
 }
 
-/// Writes a ray's number and its length, and how far off the plane it ends.
-fn number(drawing: &mut Drawing, plane: &Plane, ray: &Shown<'_, '_>, taken: &mut Taken, theme: &Theme) {
+/// Writes a ray's number and, spelt out, its length and how far off the plane it ends.
+fn number(
+    drawing: &mut Drawing,
+    plane: &Plane,
+    ray: &Shown<'_, '_>,
+    is_spelt_out: bool,
+    taken: &mut Taken,
+    theme: &Theme,
+) {
     let node = ray.ray.node;
     let text = Text::new(SMALL, theme.ray(node.kind, 1.0).color);
     let mut words = ray.ray.number.to_string();
+    if !is_spelt_out {
+        let places = beside(ray.from, ray.to, 6.0);
+        taken.write(drawing, words, text, &places, false);
+        return;
+    }
     if let Some(hit) = &node.hit {
         words += &format!(": t {}", shown(hit.t));
     }

@@ -1,6 +1,6 @@
 //! Which rays of a tree get a card of their own, and which are only counted.
 
-use crate::tree::{Kind, RayNode, RayTree};
+use crate::tree::{Kind, NodePath, RayNode, RayTree};
 
 /// The rays of a tree in the order in which they were traced, and which of them show their children.
 pub(super) struct Folding<'t> {
@@ -12,6 +12,8 @@ pub(super) struct Folding<'t> {
 /// A ray.
 pub(super) struct Item<'t> {
     pub(super) node: &'t RayNode,
+    /// The way to it from the root.
+    pub(super) path: NodePath,
     pub(super) children: Vec<usize>,
     /// How many nodes there are below it.
     pub(super) below: usize,
@@ -26,15 +28,15 @@ impl<'t> Folding<'t> {
     /// The tree with the heaviest rays unfolded, up to [`MOST`] cards.
     pub(super) fn new(tree: &'t RayTree) -> Self {
         let mut items: Vec<Item<'t>> = Vec::new();
-        let mut open: Vec<(&RayNode, Option<usize>)> = vec![(&tree.root, None)];
-        while let Some((node, parent)) = open.pop() {
-            let place = items.len();
-            items.push(Item { node, children: Vec::new(), below: 0, open: false });
-            if let Some(parent) = parent {
+        // The nodes from the root to the last one.
+        let mut open: Vec<usize> = Vec::new();
+        for (place, (path, node)) in tree.nodes().into_iter().enumerate() {
+            open.truncate(path.len());
+            if let Some(&parent) = open.last() {
                 items[parent].children.push(place);
             }
-            let children: Vec<&RayNode> = node.children().collect();
-            open.extend(children.into_iter().rev().map(|child| (child, Some(place))));
+            open.push(place);
+            items.push(Item { node, path, children: Vec::new(), below: 0, open: false });
         }
         for i in (0..items.len()).rev() {
             items[i].below = items[i].children.iter().map(|&child| 1 + items[child].below).sum();

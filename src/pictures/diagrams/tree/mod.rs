@@ -184,40 +184,26 @@ impl Plan {
     fn draw(&self, drawing: &mut Drawing, folding: &Folding<'_>, chosen: &RayNode, theme: &Theme) {
         for card in &self.cards {
             let Some(parent) = card.parent.map(|parent| self.cards[parent].rect) else { continue };
-            let node = folding.items[card.item].node;
-            let [from, bend, to] = self.way_to(parent, card.rect);
-            drawing.stroke(Path::open([from, bend, to]), theme.ray(node.kind, 1.8));
-            if let Some(words) = weight_words(node) {
-                let text = weight_text(theme);
-                match self.way {
-                    Way::Right => {
-                        drawing.text(to - DVec2::new(5.0, 4.0), words, text.anchor(Align::End, Level::Baseline))
-                    }
-                    Way::Down => drawing.text(to + DVec2::new(6.0, -6.0), words, text),
-                };
-            }
+            let way = self.way_to(parent, card.rect);
+            let item = &folding.items[card.item];
+            drawing.about(&item.path.to_string(), |drawing| self.draw_line(drawing, way, item.node, theme));
         }
         for card in &self.cards {
-            let node = folding.items[card.item].node;
-            let (rect, pen) = (card.rect, theme.ray(node.kind, 1.3));
-            drawing.fill(Path::rounded(rect, 5.0), theme.panel);
-            let width = if std::ptr::eq(node, chosen) && node.depth > 0 { 3.0 } else { 1.3 };
-            drawing.stroke(Path::rounded(rect, 5.0), Pen { width, ..Pen::new(pen.color, width) });
-            let swatch = Rect::new(rect.min + DVec2::new(6.0, 6.0), (12.0, rect.size().y - 12.0));
-            match node.radiance {
-                Some(radiance) => frame::swatch(drawing, swatch, radiance, theme),
-                None => light_mark(drawing, swatch.center(), node.outcome, theme),
-            }
-            for (i, line) in card.lines.iter().enumerate() {
-                let color = if i == 0 { theme.ink } else { theme.muted };
-                let at = rect.min + DVec2::new(24.0, 4.0 + 15.0 * (i as f64 + 0.5));
-                let text = Text::new(SMALL, color).anchor(Align::Start, Level::Middle);
-                let indent = if i == 0 { number_width(card.item, theme) } else { 0.0 };
-                drawing.text(at + DVec2::new(indent, 0.0), line, text);
-                if i == 0 {
-                    drawing.text(at, (card.item + 1).to_string(), text.color(theme.muted));
-                }
-            }
+            let item = &folding.items[card.item];
+            let is_chosen = std::ptr::eq(item.node, chosen) && item.node.depth > 0;
+            drawing.about(&item.path.to_string(), |drawing| draw_card(drawing, card, item.node, is_chosen, theme));
+        }
+    }
+
+    /// The line to a card, with its weight.
+    fn draw_line(&self, drawing: &mut Drawing, [from, bend, to]: [DVec2; 3], node: &RayNode, theme: &Theme) {
+        drawing.stroke(Path::open([from, bend, to]), theme.ray(node.kind, 1.8));
+        if let Some(words) = weight_words(node) {
+            let text = weight_text(theme);
+            match self.way {
+                Way::Right => drawing.text(to - DVec2::new(5.0, 4.0), words, text.anchor(Align::End, Level::Baseline)),
+                Way::Down => drawing.text(to + DVec2::new(6.0, -6.0), words, text),
+            };
         }
     }
 
@@ -234,6 +220,29 @@ impl Plan {
                 let start = DVec2::new(parent.center().x, parent.max.y);
                 [start, DVec2::new(x, (start.y + FAN).min(child.min.y)), DVec2::new(x, child.min.y)]
             }
+        }
+    }
+}
+
+/// A ray's card.
+fn draw_card(drawing: &mut Drawing, card: &Card, node: &RayNode, is_chosen: bool, theme: &Theme) {
+    let (rect, pen) = (card.rect, theme.ray(node.kind, 1.3));
+    drawing.fill(Path::rounded(rect, 5.0), theme.panel);
+    let width = if is_chosen { 3.0 } else { 1.3 };
+    drawing.stroke(Path::rounded(rect, 5.0), Pen { width, ..Pen::new(pen.color, width) });
+    let swatch = Rect::new(rect.min + DVec2::new(6.0, 6.0), (12.0, rect.size().y - 12.0));
+    match node.radiance {
+        Some(radiance) => frame::swatch(drawing, swatch, radiance, theme),
+        None => light_mark(drawing, swatch.center(), node.outcome, theme),
+    }
+    for (i, line) in card.lines.iter().enumerate() {
+        let color = if i == 0 { theme.ink } else { theme.muted };
+        let at = rect.min + DVec2::new(24.0, 4.0 + 15.0 * (i as f64 + 0.5));
+        let text = Text::new(SMALL, color).anchor(Align::Start, Level::Middle);
+        let indent = if i == 0 { number_width(card.item, theme) } else { 0.0 };
+        drawing.text(at + DVec2::new(indent, 0.0), line, text);
+        if i == 0 {
+            drawing.text(at, (card.item + 1).to_string(), text.color(theme.muted));
         }
     }
 }
