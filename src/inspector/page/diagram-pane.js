@@ -9,6 +9,11 @@ const KEPT_DIAGRAMS = 120;
 /** Kinds that are about one ray, not about one test. */
 const WHOLE_KINDS = ['section', 'surface', 'tree', 'ledger'];
 
+/** Whether the surface that a ray meets reflects or refracts it. */
+function sendsRaysOn(ray) {
+    return Boolean(ray.reflected ?? ray.refracted);
+}
+
 /** Cuts the margin off a drawing, but for a little. */
 function cropToContents(root) {
     if (root.all) return;
@@ -127,24 +132,35 @@ export class DiagramPane {
         if (this.player && this.step !== undefined) this.show(this.step, this.node, this.forced);
     }
 
-    /** What is asked of the server for a step and node. */
+    /** What is asked of the server for a step and node; nothing where no drawing applies. */
     wanted(step, node) {
         const theme = document.documentElement.dataset.theme;
-        const path = this.player.nodes[node].path;
+        const { nodes, steps } = this.player;
+        if (this.kind === 'surface') return this.ofSurface(node, theme);
         if (WHOLE_KINDS.includes(this.kind)) {
             const isOfTree = this.kind === 'tree' || this.kind === 'ledger';
-            return { kind: this.kind, node: isOfTree ? 'root' : path, theme };
+            return { kind: this.kind, node: isOfTree ? 'root' : nodes[node].path, theme };
         }
         // A step without a diagram of its own leaves the last one of its ray.
-        for (let k = step; k >= 0 && this.player.steps[k].node === node; k -= 1) {
-            const diagram = this.player.steps[k].diagram;
+        for (let k = step; k >= 0 && steps[k].node === node; k -= 1) {
+            const { diagram } = steps[k];
             if (!diagram) continue;
-            const about = { kind: diagram.kind, node: diagram.node === undefined ? path : this.player.nodes[diagram.node].path };
+            const of = diagram.node ?? node;
+            if (diagram.kind === 'surface' && !sendsRaysOn(nodes[of].ray)) break;
+            const about = { kind: diagram.kind, node: nodes[of].path };
             if (diagram.shape !== undefined) about.shape = diagram.shape;
             if (diagram.primitive !== undefined) about.primitive = diagram.primitive;
             return { ...about, theme };
         }
-        return { kind: 'section', node: path, theme };
+        return { kind: 'section', node: nodes[node].path, theme };
+    }
+
+    /** The surface that a ray meets, or, if that sends no ray on, the one that it comes from. */
+    ofSurface(node, theme) {
+        for (let at = node; at >= 0; at = this.player.nodes[at].parent) {
+            if (sendsRaysOn(this.player.nodes[at].ray)) return { kind: 'surface', node: this.player.nodes[at].path, theme };
+        }
+        return undefined;
     }
 
     /** Shows the diagram of a step; resolves when it is on the page. */
@@ -154,6 +170,7 @@ export class DiagramPane {
         if (this.kind === '3d') return;
         const about = this.wanted(step, node);
         const key = this.keyOf(about);
+        if (!about) this.keep(key, { why: 'no surface on the way of this ray sends a ray on' });
         if (key === this.shownKey) {
             this.grow();
             return;
@@ -214,6 +231,8 @@ export class DiagramPane {
         this.host.replaceChildren(root);
         cropToContents(root);
         root.setAttribute('role', 'img');
+        // The drawing is one picture with one description: what is written in it is no element of its own.
+        for (const part of root.querySelectorAll('g[aria-label]')) part.removeAttribute('aria-label');
         const title = root.querySelector('title')?.textContent ?? 'Diagram';
         const words = root.querySelector('desc')?.textContent ?? '';
         root.setAttribute('aria-label', `${title}. ${words}`);
@@ -236,7 +255,7 @@ export class DiagramPane {
         if (this.kind === '3d') return;
         const about = this.wanted(step, node);
         const key = this.keyOf(about);
-        if (this.kept.has(key) || this.fetching === key) return;
+        if (!about || this.kept.has(key) || this.fetching === key) return;
         this.fetching = key;
         await this.fetch(key, about);
         this.fetching = undefined;

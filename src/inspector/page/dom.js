@@ -146,5 +146,12 @@ export class LongList {
             row.element.style.transform = `translateY(${row.index * this.rowHeight}px)`;
             this.draw(row.element, row.index);
         }
+        if (!missing.length) return;
+        // In the document they stand in the order in which they are seen.
+        this.rows.sort((a, b) => a.index - b.index);
+        this.rows.forEach((row, i) => {
+            const there = this.room.children[i];
+            if (there !== row.element) this.room.insertBefore(row.element, there);
+        });
     }
 }

@@ -82,6 +82,7 @@ export class TestsPane {
                 name: make('span', { class: 'fill' }),
                 why: make('span', { class: 'number why' }),
                 t: make('span', { class: 'number' }),
+                more: make('span', { class: 'unseen' }),
             };
             element.setAttribute('role', 'option');
             element.append(...Object.values(element.parts));
@@ -101,7 +102,7 @@ export class TestsPane {
         const t = test.shape ? about.t : about.t_in;
         setText(parts.t, t === undefined || about.reason === 't_in > t_out' ? '' : `t ${brief(t, 4)}`);
         element.title = `${testName(test)}: ${about.reason ?? word}`;
-        element.setAttribute('aria-label', `${testName(test)}: ${about.reason ? `rejected, ${about.reason}` : word}${t === undefined ? '' : `, t ${brief(t, 4)}`}`);
+        setText(parts.more, about.reason ? 'rejected' : about.verdict === 'best' ? '' : word);
     }
 
     pressed(event) {

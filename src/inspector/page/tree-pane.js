@@ -98,11 +98,10 @@ export class TreePane {
         const share = node.contribution && showsColor ? luminance(node.contribution) / this.total : 0;
         parts.bar.style.width = share > 0 ? `${Math.max(2, Math.round(Math.min(1, share) * 30))}px` : '0';
         parts.room.classList.toggle('none', !ray.radiance);
-        const said = [hides ? ray.kind : node.name, weight && `weight ${weight.slice(2)}`];
-        if (!hides && node.contribution) said.push(`contributes ${node.contribution.map((c) => brief(c, 3)).join(', ')}`);
-        if (!isReached) said.push('not reached yet');
-        element.setAttribute('aria-label', said.filter(Boolean).join(', '));
-        element.title = said.filter(Boolean).join('\n');
+        const contribution = node.contribution?.map((c) => brief(c, 3)).join(', ');
+        const more = [!hides && contribution && `contributes ${contribution}`, !isReached && 'not reached yet'].filter(Boolean);
+        setText(parts.more, more.join(', '));
+        element.title = [hides ? ray.kind : node.name, ...more].join('\n');
     }
 
     build(element, node) {
@@ -118,9 +117,10 @@ export class TreePane {
             t: make('span', { class: 'number' }),
             weight: make('span', { class: 'number' }),
             bar: make('span', { class: 'share' }),
+            more: make('span', { class: 'unseen' }),
         };
         parts.room = make('span', { class: 'share-room' }, parts.bar);
-        element.replaceChildren(parts.twisty, lineSample(node.ray.kind), parts.name, parts.t, parts.weight, parts.room);
+        element.replaceChildren(parts.twisty, lineSample(node.ray.kind), parts.name, parts.t, parts.weight, parts.room, parts.more);
         element.parts = parts;
     }
 

@@ -120,6 +120,11 @@ in vec3 across;
 out vec4 result;
 void main() { result = vec4(texture(picture, across.xy).rgb, 0.9); }`;
 
+/** A colour as the diagrams tint what light passes through. */
+function glassy(color) {
+    return color.map((c, k) => 0.45 * c + 0.55 * [0.45, 0.72, 0.92][k]);
+}
+
 function perspective(fovY, aspect, near, far) {
     const f = 1 / Math.tan(fovY / 2);
     return [f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, (2 * far * near) / (near - far), 0];
@@ -166,7 +171,7 @@ export class View3d {
 
     bar() {
         const button = (text, label, run, isWide) => {
-            const about = { type: 'button', title: label, 'aria-label': label, class: isWide ? 'wide-button' : '', text };
+            const about = { type: 'button', title: label, 'aria-label': isWide ? undefined : label, class: isWide ? 'wide-button' : '', text };
             return make('button', { ...about, on: { click: run } });
         };
         this.showsBoxes = true;
@@ -253,7 +258,7 @@ export class View3d {
             const reach = this.far * 1.6;
             return {
                 ...this.arrayOf(trianglesOf(shape, this.middle, reach)),
-                color: [...shown(shape.color), shape.transparent ? 0.26 : 1],
+                color: shape.transparent ? [...glassy(shown(shape.color)), 0.26] : [...shown(shape.color), 1],
                 second: checker ? shown(checker.colors[1]) : [0, 0, 0],
                 checkerSize: checker?.size ?? 0,
                 fadeFrom: isPlane ? reach : 0,

@@ -333,13 +333,21 @@ export class WhatIf {
         this.summary.replaceChildren(patch(before), make('span', { text: '\u2192', 'aria-label': 'becomes' }), patch(after), make('span', { text: words }));
         const most = Math.max(...after.map((c, k) => Math.abs(c - before[k])));
         const color = most === 0 ? 'The colour stays the same.' : `The colour changes by ${brief(most, 3)} at most, to ${colorText(after)}.`;
-        const list = make('ul');
-        for (const one of divergences.slice(0, 60)) list.append(this.divergence(one, player));
-        if (divergences.length > 60) list.append(make('li', { class: 'quiet', text: `and ${divergences.length - 60} more` }));
-        this.outcome.replaceChildren(make('p', { text: color }), list);
+        const listed = (all) => {
+            const list = make('ul', {}, ...all.slice(0, 60).map((one) => this.divergence(one, player)));
+            if (all.length > 60) list.append(make('li', { class: 'quiet', text: `and ${all.length - 60} more` }));
+            return list;
+        };
+        const followers = divergences.filter((one) => one.consequence);
+        this.outcome.replaceChildren(make('p', { text: color }), listed(divergences.filter((one) => !one.consequence)));
+        if (!followers.length) return;
+        const isOpen = this.showsFollowers;
+        const rest = make('details', { open: isOpen }, make('summary', { text: `${followers.length} more that follow from these` }), listed(followers));
+        rest.addEventListener('toggle', () => (this.showsFollowers = rest.open));
+        this.outcome.append(rest);
     }
 
-    divergence({ path, kind, field, light, a, b, consequence }, player) {
+    divergence({ path, kind, field, light, a, b }, player) {
         const index = player.byPath.get(path);
         const go = make('button', { type: 'button', text: path, title: `${kind} ray`, on: { click: () => this.onNode(index) } });
         go.disabled = index === undefined;
@@ -349,7 +357,7 @@ export class WhatIf {
             return typeof value === 'number' ? brief(value) : String(value);
         };
         const words = ` ${field.replaceAll('_', ' ')}${light ? ` of ${light}` : ''}: ${show(a)} \u2192 ${show(b)}`;
-        return make('li', { class: consequence ? 'quiet' : '' }, go, words);
+        return make('li', {}, go, words);
     }
 
     // The text
