@@ -25,6 +25,7 @@ mod server;
 mod tracing;
 mod work;
 
+pub use diagram::PANE;
 pub use export::Kept;
 pub use scenes::{Inspector, Settings};
 pub use server::{Limits, serve};
