@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], [`faults`] and `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 
@@ -32,6 +32,7 @@ pub mod transport;
 
 pub mod tree;
 
+pub mod faults;
 #[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;
 

@@ -4,9 +4,11 @@ mod accuracy;
 mod check;
 mod completions;
 mod diagram;
+mod diff;
 mod effects;
 mod failure;
 mod files;
+mod forest;
 mod gallery;
 mod options;
 mod output;
@@ -17,6 +19,7 @@ mod ray;
 mod render;
 mod schema;
 mod sheet;
+mod trees;
 
 use std::ffi::OsString;
 
@@ -37,7 +40,7 @@ const EXIT_CODES: &str = "Results go to standard output or to the file after -o,
 
 Exit codes:
   0    fine; also when the reader of a pipe has gone
-  1    the answer is no: `check` found the file invalid, a ledger does not balance
+  1    the answer is no: `check` found the file invalid, trees part, a ledger does not balance
   2    the input is at fault: a file, a value, the command line
   3    the machine is at fault: a result cannot be written
   130  interrupted by Ctrl-C";
@@ -50,6 +53,8 @@ enum Command {
     Diagram(diagram::Args),
     Sheet(sheet::Args),
     Gallery(gallery::Args),
+    Forest(forest::Args),
+    Diff(diff::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Check(check::Args),
@@ -78,6 +83,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Diagram(args) => diagram::run(&args),
         Command::Sheet(args) => sheet::run(&args),
         Command::Gallery(args) => gallery::run(&args),
+        Command::Forest(args) => forest::run(&args),
+        Command::Diff(args) => diff::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),

@@ -368,6 +368,12 @@ impl RayTree {
         layout::write(out, self)
     }
 
+    /// The tree as JSON on one line, with a line feed at its end: an entry of a forest.
+    pub fn to_json_line(&self) -> String {
+        // Finite numbers and text under text keys cannot fail.
+        serde_json::to_string(self).unwrap_or_default() + "\n"
+    }
+
     /// The JSON Schema of the format.
     #[cfg(feature = "schema")]
     pub fn schema() -> schemars::Schema {
