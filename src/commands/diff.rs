@@ -7,19 +7,24 @@ use super::files;
 use super::output::Target;
 use super::picture::{Format, LookArgs};
 use super::trees::{Forest, Trees};
+use crate::faults::{Fault, Named, name_fault, right_tree};
 use crate::input::{Problem, printable};
 use crate::pictures::diagrams::parting;
-use crate::tree::RayTree;
+use crate::scene::{self, Loaded};
 use crate::tree::check::read_tree;
 use crate::tree::diff::{Difference, ForestDifference, Tolerance, Tolerances, diff};
+use crate::tree::{self, RayTree};
 
 /// Says where two ray trees part first, and what follows from it; or in what the pixels of two forests part
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   raytree diff ours.json theirs.json
   raytree diff ours.json theirs.json --relative 1e-9 --tolerance radiance=1e-3 -o parting.svg
+  raytree diff ours.json theirs.json --scene scenes/whitted.json
   raytree diff before.ndjson after.ndjson
 
+Where the scene is known, by --scene or because the file that a tree names is there and has its hash, the classic faults
+are planted one by one in a small tracer, and the one that gives the tree is named.
 A forest has one JSON tree a line (`raytree forest`), or trees in an array; its trees are aligned by `pixel`.
 Exits with 1 where they part. Tolerances are of a field's scale: for lengths the largest coordinate on the way from the
 eye, for other numbers 1, or the number itself where it is larger.")]
@@ -43,6 +48,9 @@ pub(super) struct Args {
     /// Tolerance of one field: hit.t=4ulp, radiance=1e-3; may be given several times
     #[arg(long, value_name = "FIELD=TOLERANCE")]
     tolerance: Vec<String>,
+    /// The scene of both trees, to name the fault that gives one of them [default: the file that they name]
+    #[arg(long, value_name = "FILE")]
+    scene: Option<String>,
     #[command(flatten)]
     look: LookArgs,
 }
@@ -67,7 +75,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                     difference.notes.push(contradiction(name, &problem));
                 }
             }
-            one(args, &difference)?;
+            let fault = name(args, &a, &b, &mut difference)?;
+            if args.json {
+                let report = Report { difference: &difference, fault };
+                Target::Stdout.write(|out| tree::write_indented(out, &report))?;
+            } else {
+                let words = fault.map_or(String::new(), |fault| format!("\n{}", fault.named.to_text(fault.tree)));
+                Target::Stdout.write_all((difference.to_text() + &words).as_bytes())?;
+            }
             if let Some(format) = format {
                 let drawing = parting(&a, &b, &difference, args.look.theme());
                 target.write_all(&format.encode(&drawing, args.look.scale)?)?;
@@ -87,9 +102,71 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-fn one(args: &Args, difference: &Difference) -> Result<(), Failure> {
-    let text = if args.json { difference.to_json() } else { difference.to_text() };
-    Target::Stdout.write_all(text.as_bytes())
+/// A difference, and the fault behind it.
+#[derive(serde::Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    difference: &'a Difference,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fault: Option<Faulty>,
+}
+
+/// The tree that has a fault, and which.
+#[derive(serde::Serialize)]
+struct Faulty {
+    tree: &'static str,
+    #[serde(flatten)]
+    named: Named,
+}
+
+/// The fault that gives one of two trees that part, where the scene is known. What keeps it from being looked for is noted.
+fn name(args: &Args, a: &RayTree, b: &RayTree, difference: &mut Difference) -> Result<Option<Faulty>, Failure> {
+    if difference.is_same() {
+        return Ok(None);
+    }
+    let loaded = match &args.scene {
+        Some(file) => Some(files::load_scene(file)?),
+        // The file that a tree names may be gone, or be another one by now: then nobody asked for it.
+        None => [b, a].into_iter().find_map(|tree| {
+            let scene = tree.scene.as_ref().filter(|scene| scene.sha256.is_some())?;
+            scene::load_file(&scene.file).ok().filter(|loaded| is_of(tree, loaded))
+        }),
+    };
+    let Some(loaded) = loaded else { return Ok(None) };
+    let says_otherwise = |tree: &RayTree| {
+        let hash = tree.scene.as_ref().and_then(|scene| scene.sha256.as_ref());
+        hash.is_some() && !is_of(tree, &loaded)
+    };
+    if args.scene.is_some() {
+        for (which, _) in [("A", a), ("B", b)].into_iter().filter(|(_, tree)| says_otherwise(tree)) {
+            difference.notes.push(format!("{which} is of another scene than --scene: no fault is looked for in it"));
+        }
+    }
+    let mut checked = false;
+    for (which, tree) in [("B", b), ("A", a)].into_iter().filter(|(_, tree)| !says_otherwise(tree)) {
+        let Some(right) = right_tree(&loaded, tree) else {
+            difference.notes.push(format!("{which} has no place in the scene {}", printable(&loaded.file)));
+            continue;
+        };
+        let tolerances = tolerances(args, Tolerances::of(&right, tree))?;
+        if diff(&right, tree, &tolerances).is_same() {
+            continue;
+        }
+        checked = true;
+        if let Some(named) = name_fault(&loaded, tree, &tolerances) {
+            return Ok(Some(Faulty { tree: which, named }));
+        }
+    }
+    if checked {
+        difference.notes.push(format!("none of the {} classic faults alone gives that tree", Fault::ALL.len()));
+    }
+    Ok(None)
+}
+
+/// Whether a tree says that it was traced in this scene.
+fn is_of(tree: &RayTree, loaded: &Loaded) -> bool {
+    let hash = tree.scene.as_ref().and_then(|scene| scene.sha256.as_ref());
+    hash.is_some_and(|hash| hash.eq_ignore_ascii_case(&loaded.sha256))
 }
 
 /// That a tree can be compared, but is not as trees are.

@@ -319,6 +319,7 @@ impl fmt::Display for Fault {
 
 impl serde::Serialize for Fault {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
+        let (name, title, why) = self.words();
+        serializer.collect_map([("name", name), ("title", title), ("why", why)])
     }
 }

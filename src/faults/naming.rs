@@ -25,14 +25,14 @@ fn as_text<S: Serializer>(path: &NodePath, serializer: S) -> Result<S::Ok, S::Er
 }
 
 impl Named {
-    /// What is wrong and why it happens, a sentence or two a fault.
-    pub fn to_text(&self) -> String {
+    /// What is wrong with the tree called `of`, and why it happens: a sentence or two a fault.
+    pub fn to_text(&self, of: &str) -> String {
         let told = |fault: &Fault| format!("{} ({fault})\n  {}\n", fault.title(), fault.why());
         match self.faults.as_slice() {
-            [fault] => format!("the whole of B comes of one fault: {}", told(fault)),
+            [fault] => format!("one fault gives the whole of {of}: {}", told(fault)),
             faults => {
                 let all: String = faults.iter().map(|fault| format!("- {}", told(fault))).collect();
-                format!("the whole of B comes of one of these faults, which this tree does not tell apart:\n{all}")
+                format!("each of these faults alone gives the whole of {of}; other pixels tell them apart:\n{all}")
             }
         }
     }
@@ -95,11 +95,14 @@ pub fn name_fault(loaded: &Loaded, tree: &RayTree, tolerances: &Tolerances) -> O
     limits.ray_budget = limits.ray_budget.min(tree.root.walk().count() as u64 + 1);
     let reproduces = |fault: &Fault| {
         let textbook = Textbook::new(&loaded.scene).with_limits(limits).with(*fault).guided_by(tree);
-        let candidate = match tree.pixel {
-            Some([x, y]) => textbook.pixel(x, y),
-            None => textbook.ray(tree.root.origin, tree.root.direction),
-        };
-        diff(&candidate, tree, tolerances).is_same()
+        // After a fault it matters how a tracer knows which medium it is in.
+        [textbook.clone(), textbook.with_media_by_side()].into_iter().any(|textbook| {
+            let candidate = match tree.pixel {
+                Some([x, y]) => textbook.pixel(x, y),
+                None => textbook.ray(tree.root.origin, tree.root.direction),
+            };
+            diff(&candidate, tree, tolerances).is_same()
+        })
     };
     let faults: Vec<Fault> = Fault::ALL.into_iter().filter(reproduces).collect();
     (!faults.is_empty()).then(|| Named { faults, path: first.path.clone(), field: first.field })

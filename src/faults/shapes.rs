@@ -145,12 +145,7 @@ fn triangle(
         _ => a >= 0.0 && b >= 0.0 && c >= 0.0,
     };
     let weights = if planted == Some(Fault::BarycentricsPermuted) { [b, c, a] } else { [a, b, c] };
-    inside.then_some(Meeting {
-        t,
-        primitive: None,
-        barycentrics: Some(weights),
-        normal: normal / normal.length(),
-    })
+    inside.then_some(Meeting { t, primitive: None, barycentrics: Some(weights), normal: normal / normal.length() })
 }
 
 fn nearest_triangle(mesh: &Mesh, ray: &Ray, planted: Option<Fault>, accepts: &dyn Fn(f64) -> bool) -> Option<Meeting> {

@@ -30,6 +30,7 @@ pub struct Textbook<'s> {
     planted: Option<Fault>,
     limits: Limits,
     guide: Option<&'s RayNode>,
+    media_by_side: bool,
 }
 
 /// A ray on its way to be traced.
@@ -74,7 +75,7 @@ const EPSILON: f64 = 1e-9;
 impl<'s> Textbook<'s> {
     /// The tracer without a fault.
     pub fn new(scene: &'s Scene) -> Self {
-        Self { scene, planted: None, limits: scene.limits, guide: None }
+        Self { scene, planted: None, limits: scene.limits, guide: None, media_by_side: false }
     }
 
     /// The same with a fault.
@@ -93,6 +94,12 @@ impl<'s> Textbook<'s> {
         Self { guide: Some(&tree.root), ..self }
     }
 
+    /// The same, which tells the indices of refraction by the side from which it hits glass, as simple tracers do, and does not
+    /// carry the media along. Without a fault both agree unless media touch or lie in each other.
+    pub fn with_media_by_side(self) -> Self {
+        Self { media_by_side: true, ..self }
+    }
+
     fn has(&self, fault: Fault) -> bool {
         self.planted == Some(fault)
     }
@@ -109,15 +116,8 @@ impl<'s> Textbook<'s> {
 
     fn tree(&self, ray: Ray) -> RayTree {
         let inside = self.media_at(&ray);
-        let path = Path {
-            kind: Kind::Camera,
-            level: 0,
-            depth: 0,
-            weight: Rgb::ONE,
-            ray,
-            inside: &inside,
-            guide: self.guide,
-        };
+        let path =
+            Path { kind: Kind::Camera, level: 0, depth: 0, weight: Rgb::ONE, ray, inside: &inside, guide: self.guide };
         let budget = Cell::new(self.limits.ray_budget.saturating_sub(1));
         let root = self.trace(path, &budget);
         let generator = Generator { name: "textbook".to_owned(), version: None };
@@ -224,6 +224,10 @@ impl<'s> Textbook<'s> {
         }
         let side = if along < 0.0 { Side::Entering } else { Side::Leaving };
         let mut ior = [self.ior(inside), self.ior(&beyond)];
+        if self.media_by_side {
+            let own = if self.is_medium(object) { material.ior.unwrap_or(1.0) } else { 1.0 };
+            ior = if along < 0.0 { [1.0, own] } else { [own, 1.0] };
+        }
         if let (Some(_), None, Some(coat)) = (material.fresnel, material.transmission, material.ior) {
             ior[1] = coat;
         }

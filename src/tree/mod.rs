@@ -174,6 +174,14 @@ fn is_false(b: &bool) -> bool {
     !b
 }
 
+/// Writes `value` as JSON in the layout of trees: indented, an array of numbers on one line.
+///
+/// # Errors
+/// What `out` says, and what cannot be JSON.
+pub fn write_indented(out: &mut dyn std::io::Write, value: &impl Serialize) -> std::io::Result<()> {
+    layout::write(out, value)
+}
+
 /// What a ray is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -139,7 +139,10 @@ impl Walk<'_> {
         let follows = from.weight || of_structure;
         let weight = self.numbers(&place, Field::Weight, slice(&a.weight), slice(&b.weight), follows) || from.weight;
         let iors = [a.ior, b.ior].map(|ior| ior.map(|x| [x]));
-        let medium = self.numbers(&place, Field::Ior, slice(&iors[0]), slice(&iors[1]), of_structure) || from.optics;
+        // An untraced ray is in no medium; that it is not traced is what parts.
+        let both_traced = a.outcome.is_traced() == b.outcome.is_traced();
+        let medium = from.optics
+            | (both_traced && self.numbers(&place, Field::Ior, slice(&iors[0]), slice(&iors[1]), of_structure));
         geometry |= self.numbers(&place, Field::Origin, Some(&a.origin), Some(&b.origin), geometry);
         let bends = geometry || from.optics;
         geometry |= self.numbers(&place, Field::Direction, Some(&a.direction), Some(&b.direction), bends);

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use raytree::faults::{Fault, Textbook};
 use raytree::pictures::diagrams::parting;
 use raytree::pictures::theme::Theme;
 use raytree::tree::RayTree;
@@ -99,6 +100,42 @@ fn a_tree_that_contradicts_itself_is_compared_and_named() {
     assert!(out.contains("note: B is no valid tree at root.hit.t: a hit behind the ray's start"), "{out}");
 }
 
+/// The scene is the one that a tree names, if it is still that, or the one that is given; else no fault is looked for.
+#[test]
+fn the_fault_is_named_where_the_scene_is_known() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = fs::read_to_string("scenes/glass-ball.json").unwrap();
+    fs::write(folder.path().join("scene.json"), &scene).unwrap();
+    let loaded = raytree::scene::load("scene.json", &scene, &mut |_| Err("none".into())).unwrap();
+    let [x, y] = loaded.scene.pixels[0].1;
+    let wrong = Textbook::new(&loaded.scene).with(Fault::EtaInverted).pixel(x, y).to_json();
+    let say = |line: &str, input: &str| said(folder.path(), line, input);
+    assert_eq!(say(&format!("pixel scene.json {x},{y} --json -o right.json"), "").0, 0);
+    let words = "\none fault gives the whole of B: eta is the wrong way round (eta-inverted)\n";
+    for line in ["diff right.json -", "diff right.json - --scene scene.json"] {
+        let (code, out, err) = say(line, &wrong);
+        assert!(code == 1 && err.is_empty() && out.contains(words), "{line}: {out}");
+    }
+    assert!(say("diff - right.json", &wrong).1.contains("gives the whole of A: eta"));
+    let json: serde_json::Value = serde_json::from_str(&say("diff right.json - --json", &wrong).1).unwrap();
+    assert_eq!((&json["fault"]["tree"], &json["fault"]["field"]), (&"B".into(), &"direction".into()));
+    assert_eq!(json["fault"]["faults"][0]["name"], "eta-inverted");
+    assert_eq!(json["fault"]["path"], "root.refracted");
+    assert_eq!(json["divergences"][0]["path"], "root.refracted");
+
+    // What no single fault gives is said to be that; and where the scene has changed nothing is said.
+    let strange = wrong.replacen("\"weight\": [1.0, 1.0, 1.0]", "\"weight\": [0.5, 0.5, 0.5]", 1);
+    assert_ne!(strange, wrong);
+    let (_, out, _) = say("diff right.json -", &strange);
+    assert!(out.contains("note: none of the 33 classic faults alone gives that tree"), "{out}");
+    fs::write(folder.path().join("scene.json"), scene.replace("0.75 }", "0.7 }")).unwrap();
+    let (code, out, _) = say("diff right.json -", &wrong);
+    assert!(code == 1 && !out.contains("fault"), "{out}");
+    let (_, out, _) = say("diff right.json - --scene scene.json", &wrong);
+    assert!(out.contains("note: A is of another scene than --scene"), "{out}");
+    assert_eq!(say("diff right.json - --scene none.json", &wrong).0, 2);
+}
+
 #[test]
 fn the_picture_of_a_parting() {
     let (right, mut wrong) = two();
@@ -188,7 +225,10 @@ fn forests_of_a_scene() {
         assert!(code == 2 && out.is_empty() && err.contains(words), "{words}: {code} {err}");
     }
     // The line at fault is told.
-    let (_, _, err) = say("diff a1.ndjson -", &lines.replacen("\"format\":\"raytree/1\",\"generator\"", "\"format\":\"raytree/1\",\"gen\"", 5));
+    let (_, _, err) = say(
+        "diff a1.ndjson -",
+        &lines.replacen("\"format\":\"raytree/1\",\"generator\"", "\"format\":\"raytree/1\",\"gen\"", 5),
+    );
     assert!(err.contains("<stdin>:1:"), "{err}");
     let fifth = lines.lines().nth(4).unwrap();
     let (_, _, err) = say("diff a1.ndjson -", &lines.replace(fifth, &fifth.replace("\"rays\"", "\"rayz\"")));
