@@ -2,10 +2,20 @@
 //!
 //! `UPDATE_PAGES=1 cargo test pages` writes them anew.
 
-use std::process::Command;
+use std::io::Write;
+use std::process::{Command, Stdio};
 
 fn raytree(args: &[&str]) -> (String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_raytree")).args(args).output().unwrap();
+    raytree_with(args, "")
+}
+
+/// What the program prints when it reads `input`.
+fn raytree_with(args: &[&str], input: &str) -> (String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_raytree"));
+    command.args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
     (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 
@@ -14,6 +24,9 @@ fn content(comment: &str) -> String {
     match comment {
         "output: pixel scenes/whitted.json \"mirrored glass ball\"" => {
             raytree(&["pixel", "scenes/whitted.json", "mirrored glass ball"]).0
+        }
+        "output: step scenes/plane.json floor" => {
+            raytree_with(&["step", "scenes/plane.json", "floor"], "until object floor\n").0
         }
         "output: check of a misspelt scene" => {
             let folder = tempfile::tempdir().unwrap();
