@@ -17,7 +17,8 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], [`steps`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], [`steps`], [`faults`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has
+//! the map.
 
 pub mod numbers;
 
@@ -33,6 +34,8 @@ pub mod transport;
 pub mod tree;
 
 pub mod steps;
+
+pub mod faults;
 
 #[cfg(any(feature = "pictures", feature = "drawing"))]
 pub mod pictures;

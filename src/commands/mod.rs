@@ -4,9 +4,11 @@ mod accuracy;
 mod check;
 mod completions;
 mod diagram;
+mod diff;
 mod effects;
 mod failure;
 mod files;
+mod forest;
 mod gallery;
 mod inspect;
 mod options;
@@ -19,6 +21,7 @@ mod render;
 mod schema;
 mod sheet;
 mod step;
+mod trees;
 
 use std::ffi::OsString;
 
@@ -39,7 +42,7 @@ const EXIT_CODES: &str = "Results go to standard output or to the file after -o,
 
 Exit codes:
   0    fine; also when the reader of a pipe has gone
-  1    the answer is no: `check` found the file invalid, a ledger does not balance
+  1    the answer is no: `check` found the file invalid, trees part, a ledger does not balance
   2    the input is at fault: a file, a value, the command line
   3    the machine is at fault: a result cannot be written
   130  interrupted by Ctrl-C";
@@ -54,6 +57,8 @@ enum Command {
     Sheet(sheet::Args),
     Inspect(inspect::Args),
     Gallery(gallery::Args),
+    Forest(forest::Args),
+    Diff(diff::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Check(check::Args),
@@ -84,6 +89,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Sheet(args) => sheet::run(&args),
         Command::Inspect(args) => inspect::run(&args),
         Command::Gallery(args) => gallery::run(&args),
+        Command::Forest(args) => forest::run(&args),
+        Command::Diff(args) => diff::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),

@@ -48,10 +48,14 @@ pub(super) fn bar(what: &str, steps: u64) -> ProgressBar {
 
 /// Runs `work` on this many threads, or on one a core.
 pub(super) fn on_threads<T: Send>(threads: Option<u16>, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    Ok(pool(threads)?.install(work))
+}
+
+/// This many threads, or one a core.
+pub(super) fn pool(threads: Option<u16>) -> Result<rayon::ThreadPool, Failure> {
     let mut pool = rayon::ThreadPoolBuilder::new();
     if let Some(threads) = threads {
         pool = pool.num_threads(threads.into());
     }
-    let pool = pool.build().map_err(|error| Failure::Machine(format!("no threads could be started: {error}")))?;
-    Ok(pool.install(work))
+    pool.build().map_err(|error| Failure::Machine(format!("no threads could be started: {error}")))
 }

@@ -1,5 +1,7 @@
 //! A diagram of a node, as the command draws it.
 
+use glam::DVec2;
+
 use super::answer::Refusal;
 use crate::pictures::diagrams::{Chosen, Input, Kind, diagram};
 use crate::pictures::theme::Theme;
@@ -15,6 +17,10 @@ pub(super) struct Wanted {
     pub(super) theme: &'static Theme,
 }
 
+/// The room of a diagram about one ray, in user units: that of its pane on a small screen, nearly, so that its text is
+/// readable there. What shows the whole tree takes more, so as to fold less.
+pub const PANE: DVec2 = DVec2::new(620.0, 390.0);
+
 /// The diagram as SVG.
 ///
 /// # Errors
@@ -24,6 +30,10 @@ pub(super) fn svg(scene: &Scene, tree: &RayTree, wanted: Wanted) -> Result<Strin
     let input = match wanted.chosen {
         Some(chosen) => input.about(chosen),
         None => input,
+    };
+    let input = match wanted.kind.is_of_the_whole_tree() {
+        true => input,
+        false => input.on_page(PANE.x, PANE.y),
     };
     let drawing = diagram(wanted.kind, &input, wanted.theme).map_err(|not| Refusal::Why(not.why))?;
     drawing.to_svg().map_err(|unfit| Refusal::Why(unfit.to_string()))

@@ -1,6 +1,7 @@
 //! What stands behind the question mark of an address.
 
 use super::answer::Refusal;
+use crate::input::one_of;
 use crate::scene::Resolution;
 
 /// The names and values of a query, decoded.
@@ -15,9 +16,12 @@ impl Query {
     pub(super) fn parse(text: Option<&str>, known: &[&str]) -> Result<Self, Refusal> {
         let pairs = form_urlencoded::parse(text.unwrap_or_default().as_bytes());
         let pairs: Vec<(String, String)> = pairs.map(|(name, value)| (name.into_owned(), value.into_owned())).collect();
-        match pairs.iter().find(|(name, _)| !known.contains(&name.as_str())) {
-            Some(_) => Err(Refusal::bad("the query has a name that means nothing here", "ARCHITECTURE.md lists them")),
-            None => Ok(Self(pairs)),
+        match pairs.iter().all(|(name, _)| known.contains(&name.as_str())) {
+            true => Ok(Self(pairs)),
+            false => Err(Refusal::bad(
+                format!("the query has a name besides {}", one_of(known.iter().copied())),
+                "those alone",
+            )),
         }
     }
 

@@ -1,16 +1,17 @@
 //! The tree of a pixel, within bounds.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::answer::Refusal;
 use super::scenes::{Held, HeldTree, Inspector};
 use super::tracing::at_most;
+use crate::tree::RayTree;
 
 /// Rays of a tree that can be stepped through.
 const MOST_RAYS: u64 = 1 << 12;
 /// Tests of boxes and shapes in such a tree.
-const MOST_TESTS: u64 = 1 << 16;
+const MOST_TESTS: u64 = 1 << 15;
 
 /// The tree of a pixel with every test.
 ///
@@ -28,7 +29,7 @@ pub(super) fn tree(
     }
     let tree = Arc::new(HeldTree { scene: held.id.clone(), pixel, tree: record(held, pixel, stop)? });
     // A tree that nobody waited for may be cut off.
-    if !stop.load(std::sync::atomic::Ordering::Relaxed) {
+    if !stop.load(Ordering::Relaxed) {
         inspector.add_tree(&tree);
     }
     Ok(tree)
@@ -38,7 +39,7 @@ pub(super) fn tree(
 ///
 /// # Errors
 /// As [`tree`] has them.
-pub(super) fn record(held: &Held, [x, y]: [u32; 2], stop: &AtomicBool) -> Result<crate::tree::RayTree, Refusal> {
+pub(super) fn record(held: &Held, [x, y]: [u32; 2], stop: &AtomicBool) -> Result<RayTree, Refusal> {
     let scene = &held.loaded.scene;
     let mut options = held.options;
     options.limits = at_most(options.limits, MOST_RAYS + 1);

@@ -34,7 +34,7 @@ const MOST_SCENES: usize = 32;
 /// Triangles that they have together at most, unless one alone has more.
 const MOST_TRIANGLES: usize = 1 << 20;
 /// Trees that are held at a time.
-const MOST_TREES: usize = 16;
+const MOST_TREES: usize = 8;
 /// Bytes of meshes that a scene may name beyond those of the scene that was given.
 const MORE_MESHES: usize = 1 << 24;
 /// Pixels of a picture at most, and of one side of it.

@@ -55,11 +55,10 @@ const GRACE: Duration = Duration::from_millis(500);
 /// The largest head of a request.
 const LARGEST_HEAD: usize = 1 << 14;
 
-/// Answers requests until `stop` is set. The listener has to be on the loopback address: only names of that are answered
-/// for.
+/// Answers requests until `stop` is set.
 ///
 /// # Errors
-/// Those of the listener, and of threads that cannot be started.
+/// Those of the listener, one that is not on the loopback address, and threads that cannot be started.
 ///
 /// # Example
 /// ```
@@ -76,8 +75,12 @@ const LARGEST_HEAD: usize = 1 << 14;
 /// });
 /// ```
 pub fn serve(listener: TcpListener, inspector: Arc<Inspector>, limits: Limits, stop: &AtomicBool) -> io::Result<()> {
+    let address = listener.local_addr()?;
+    if !address.ip().is_loopback() {
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, "the listener is not on the loopback address"));
+    }
     listener.set_nonblocking(true)?;
-    let guard = Arc::new(Guard::new(listener.local_addr()?.port()));
+    let guard = Arc::new(Guard::new(address.port()));
     let runtime = tokio::runtime::Builder::new_current_thread().enable_io().enable_time().build()?;
     let done = runtime.block_on(async {
         let listener = tokio::net::TcpListener::from_std(listener)?;

@@ -51,8 +51,8 @@ impl<'a> Book<'a> {
         Self { scene, setting, forms: Vec::new(), formulas: Vec::new(), shared: Values::new() }
     }
 
-    /// Works a formula out, not beyond the line `last`. Nothing where it does not give what is `wanted` to the same bits: then
-    /// it is not how the number came about.
+    /// Works a formula out, not beyond the line `last`. Nothing where it does not give what is `wanted` to the same bits:
+    /// then it is not how the number came about.
     pub(super) fn work<'w>(
         &mut self,
         formula: Formula,

@@ -151,9 +151,12 @@ impl FromStr for Event {
             let help = match (known, near) {
                 (Some((form, about)), _) => format!("`{form}`: {about}"),
                 (None, Some((form, _))) => format!("did you mean `{form}`? {list}"),
-                (None, None) => list,
+                (None, None) => list.clone(),
             };
-            NoSuchEvent { message: format!("`{}` is no event", printable(text)), help }
+            match text {
+                "" => NoSuchEvent { message: "no event is named".to_owned(), help: list },
+                _ => NoSuchEvent { message: format!("`{}` is no event", printable(text)), help },
+            }
         })
     }
 }

@@ -5,12 +5,21 @@
 //!   "tree": { raytree/1, with tests },
 //!   "nodes": [ { "path", "parent", "name", "contribution": [r,g,b], "values": { "o": [..], "d": [..], "inv_x", .. } } ],
 //!   "pseudocode": [ { "procedure", "indent", "text" } ],
-//!   "forms": { NAME: { "title", "source", "precision": "f32" | "f64", "lines": [ { "name", "symbols", "expression" } ] } },
-//!   "steps": [ { "line", "node", "call", "return": true, "set": { NAME: VARIABLE }, "test", "arithmetic": { "form", "values", "note" },
-//!                "verdict": { "ok", "words" }, "diagram": { "kind", "node", "shape", "primitive" }, "events": [..], "question" } ] }
+//!   "forms": { NAME: { "title", "source", "precision": "f32" or "f64",
+//!                      "lines": [ { "name", "symbols", "expression" } ] } },
+//!   "steps": [ { "line", "node", "call": PROCEDURE, "return": true, "set": { NAME: VARIABLE }, "test",
+//!                "arithmetic": { "form", "values": { NAME: number or vector }, "note" },
+//!                "verdict": { "ok", "words" }, "diagram": { "kind", "node", "shape", "primitive" },
+//!                "events": [ "hit", "blocked", "tir", "exact", "nan" ],
+//!                "question": { "ask", "choices", "answer" } } ] }
 //! ```
 //!
-//! A key that is absent means "not there". Numbers that JSON has no way to write are the strings `Infinity`, `-Infinity` and `NaN`.
+//! A name in a formula is one of the step's `arithmetic.values`, else of its node's `values`; a line whose name is in neither
+//! was not reached. A `diagram` is of the step's node unless it names another. A variable is a number, a vector, a text
+//! (`none`), a ray (`origin`, `direction`, `t_max`) or a hit (`t`, `object`, `shape`, `primitive`).
+//!
+//! A key that is absent means "not there". Numbers that JSON has no way to write are the strings `Infinity`, `-Infinity` and
+//! `NaN`.
 
 use std::io;
 

@@ -1,12 +1,13 @@
 //! Floor 5: the recursion step by step. Knows nothing of drawing, printing, files.
 //!
 //! A finished tree, recorded with [`Keep::Steps`](crate::tree::Keep::Steps), unrolls into an ordered list of [`Step`]s: a
-//! [`Recording`]. Each step belongs to a line of the lecture's pseudocode ([`PSEUDOCODE`]) and to a node of the tree, and has, where
-//! something is computed, the arithmetic of it ([`arithmetic`]). Nothing is traced anew: a [`Player`] moves in the list, and the
-//! call stack with its variables is a fold over it ([`Recording::stack`]). Terminal and browser play the same list.
+//! [`Recording`]. Each step belongs to a line of the lecture's pseudocode ([`PSEUDOCODE`]) and to a node of the tree, and
+//! has, where something is computed, the arithmetic of it ([`arithmetic`]). Nothing is traced anew: a [`Player`] moves in the
+//! list, and the call stack with its variables is a fold over it ([`Recording::stack`]). Terminal and browser play the same
+//! list.
 //!
-//! A formula is shown only if working it out gives the tree's number to the same bits. Where another way led to the number, words say
-//! so.
+//! A formula is shown only if working it out gives the tree's number to the same bits. Where another way led to the number,
+//! words say so.
 //!
 //! # Example
 //! ```
@@ -168,8 +169,8 @@ impl Finding {
 impl<'a> Recording<'a> {
     /// The steps of a tree that was traced in `scene`, of which the geometry and the materials are read.
     ///
-    /// A tree without tests gives steps without tests. What does not fit the scene (a tree of another renderer, or of another scene)
-    /// gives steps without arithmetic.
+    /// A tree without tests gives steps without tests. What does not fit the scene (a tree of another renderer, or of another
+    /// scene) gives steps without arithmetic.
     pub fn of(scene: &'a Scene, tree: &'a RayTree) -> Self {
         unroll::unroll(scene, tree)
     }

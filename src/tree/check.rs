@@ -11,13 +11,8 @@ use crate::scene::Limits;
 /// format, a child whose depth does not follow from its parent's, an outcome without what belongs to it, a vector that
 /// cannot be a direction.
 pub fn read_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
-    let located = Located { file, text };
-    let tree: RayTree = read_json(located)?;
-    let root = JsonPath::default();
-    if tree.format != FORMAT {
-        let message = format!("the format is {:?}", tree.format);
-        return Err(located.problem(&root.child("format"), message, format!("this program reads {FORMAT:?}")));
-    }
+    let tree = parse_tree(file, text)?;
+    let (located, root) = (Located { file, text }, JsonPath::default());
     let path = root.child("root");
     if tree.root.kind != Kind::Camera {
         return Err(located.problem(&path.child("kind"), "the root is not a camera ray", "\"camera\""));
@@ -50,6 +45,21 @@ pub fn read_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
             let help = "the sum of weight x local over the nodes, and of weight x radiance over the background";
             return Err(located.problem(&root.child("color"), message, help));
         }
+    }
+    Ok(tree)
+}
+
+/// The tree that a JSON text holds, whether or not it contradicts itself: that of a tracer with a fault may well.
+///
+/// # Errors
+/// One [`Problem`], located, for the first thing that is not as the schema has it, or for another format.
+pub fn parse_tree(file: &str, text: &str) -> Result<RayTree, Problem> {
+    let located = Located { file, text };
+    let tree: RayTree = read_json(located)?;
+    if tree.format != FORMAT {
+        let message = format!("the format is {:?}", tree.format);
+        let help = format!("this program reads {FORMAT:?}");
+        return Err(located.problem(&JsonPath::default().child("format"), message, help));
     }
     Ok(tree)
 }

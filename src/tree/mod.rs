@@ -175,6 +175,14 @@ fn is_false(b: &bool) -> bool {
     !b
 }
 
+/// Writes `value` as JSON in the layout of trees: indented, an array of numbers on one line.
+///
+/// # Errors
+/// What `out` says, and what cannot be JSON.
+pub fn write_indented(out: &mut dyn std::io::Write, value: &impl Serialize) -> std::io::Result<()> {
+    layout::write(out, value)
+}
+
 /// What a ray is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -367,6 +375,12 @@ impl RayTree {
     /// What `out` says.
     pub fn write_json(&self, out: &mut dyn std::io::Write) -> std::io::Result<()> {
         layout::write(out, self)
+    }
+
+    /// The tree as JSON on one line, with a line feed at its end: an entry of a forest.
+    pub fn to_json_line(&self) -> String {
+        // Finite numbers and text under text keys cannot fail.
+        serde_json::to_string(self).unwrap_or_default() + "\n"
     }
 
     /// The JSON Schema of the format.

@@ -8,6 +8,7 @@ mod diagrams;
 mod diff;
 mod drawing;
 mod effects;
+mod faults;
 mod first_hit;
 mod fuzz;
 mod hard_rows;

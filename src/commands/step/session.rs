@@ -306,9 +306,13 @@ impl<'r> Session<'r> {
                 );
                 names.sort_unstable();
                 names.dedup();
+                let names_here = names.join(", ");
+                if name.is_empty() {
+                    return self.no(&format!("print what? {names_here}"));
+                }
                 let near = nearest(name, names.iter().copied());
                 let near = near.map_or(String::new(), |near| format!("did you mean `{near}`? "));
-                self.no(&format!("there is no `{name}` here: {near}{}", names.join(", ")))
+                self.no(&format!("there is no `{name}` here: {near}{names_here}"))
             }
         }
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::input::printable;
 use crate::steps::arithmetic::decimals;
 use crate::steps::{Frame, PSEUDOCODE, Recording, Step, Variable, Worked};
-use crate::tree::{Show, Value};
+use crate::tree::{Kind, RayNode, Show, Value};
 
 /// Whether there is colour.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +45,11 @@ pub(super) fn step(recording: &Recording<'_>, look: Look, at: usize) -> String {
     let node = &recording.nodes[step.node];
     let mut out = String::new();
     let place = format!("step {} of {}", at + 1, recording.steps.len());
-    let what = format!("{}: {}", node.path, printable(&node.name));
+    // Not its name, which says what became of it before the steps do.
+    let what = match (node.ray.kind, node.ray.weight) {
+        (Kind::Shadow, _) | (_, None) => format!("{}: {}", node.path, kind(node.ray)),
+        _ => format!("{}: {}, level {}", node.path, kind(node.ray), node.ray.depth),
+    };
     writeln!(out, "{}  {}", look.ink(Ink::Here, &place), look.ink(Ink::Faint, &what)).ok();
     out.push_str(&code(look, step.line, 2));
     let worked = recording.worked(step);
@@ -63,6 +67,18 @@ pub(super) fn step(recording: &Recording<'_>, look: Look, at: usize) -> String {
         writeln!(out, "  {name} := {}", variable(value)).ok();
     }
     out
+}
+
+/// What a ray is for.
+fn kind(ray: &RayNode) -> String {
+    let to = ray.light.as_ref().map_or(String::new(), |light| format!(" to {}", printable(light)));
+    let word = match ray.kind {
+        Kind::Camera => "camera ray",
+        Kind::Shadow => "shadow ray",
+        Kind::Reflected => "reflected ray",
+        Kind::Refracted => "refracted ray",
+    };
+    format!("{word}{to}")
 }
 
 /// The pseudocode around a line: so many lines of its procedure before and after it.

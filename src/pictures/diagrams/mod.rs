@@ -9,6 +9,7 @@ mod frame;
 mod labels;
 mod ledger;
 mod numbers;
+mod parting;
 mod plane;
 mod section;
 mod side;
@@ -35,6 +36,7 @@ pub use contact::contact_sheet;
 #[cfg(feature = "pictures")]
 pub(super) use frame::{elided, light};
 pub use numbers::{shown, shown_vector, tex};
+pub use parting::parting;
 pub use subject::Chosen;
 
 /// What a diagram shows.

@@ -1,8 +1,8 @@
-//! The arithmetic of a step: each formula is one value, which is shown in symbols, shown with numbers, handed on as JSON, and
-//! evaluated to the bits of the tree.
+//! The arithmetic of a step: each formula is one value, which is shown in symbols, shown with numbers, handed on as JSON,
+//! and evaluated to the bits of the tree.
 //!
-//! A [`Form`] is a few [`Line`]s, each a name and an [`Expression`] of names before it. One file a shape or a subject. The lines
-//! follow the kernel operation by operation, so that evaluating them in the form's precision gives the kernel's bits.
+//! A [`Form`] is a few [`Line`]s, each a name and an [`Expression`] of names before it. One file a shape or a subject. The
+//! lines follow the kernel operation by operation, so that evaluating them in the form's precision gives the kernel's bits.
 //!
 //! In JSON an expression is a name (a string), a constant (a number), or an array of an operation and its operands:
 //!
@@ -182,13 +182,15 @@ pub(super) enum Formula {
     SnellUsual(Tiny),
     /// Snell's law without the cancellation, from the sign that was decided exactly.
     SnellStable(Tiny),
-    /// Both cosines from that sign.
-    Cosines,
+    /// The number whose sign decides total reflection, in double precision alone.
+    SnellSign,
     /// Fresnel's equations.
-    FresnelExact,
-    /// Schlick's approximation; whether the ray comes from the side of the smaller index.
+    FresnelExact(Cosines),
+    /// Schlick's approximation.
     FresnelSchlick {
-        /// Whether it does: then the cosine of incidence counts.
+        /// Where the cosines come from.
+        given: Cosines,
+        /// Whether the ray comes from the side of the smaller index: then the cosine of incidence counts.
         from_smaller: bool,
     },
     /// The share and the weight of a child.
@@ -201,8 +203,8 @@ pub(super) enum Formula {
     Gradient,
 }
 
-/// What becomes of the tiny components of a new ray's direction. They are flushed to 0 always; a formula says so where it makes a
-/// difference.
+/// What becomes of the tiny components of a new ray's direction. They are flushed to 0 always; a formula says so where it
+/// makes a difference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Tiny {
     /// There are none.
@@ -228,6 +230,25 @@ impl Tiny {
         match self {
             Self::Kept => direction,
             Self::Flushed => expression::of(Operation::Flush, direction),
+        }
+    }
+}
+
+/// Where the cosines of Fresnel's equations come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cosines {
+    /// From Snell's law as usually written, which has been worked out before.
+    Given,
+    /// From the number whose sign decided total reflection.
+    FromSign,
+}
+
+impl Cosines {
+    /// A name that says so.
+    fn name(self, name: &str) -> String {
+        match self {
+            Self::Given => name.to_owned(),
+            Self::FromSign => format!("{name}_from_sign"),
         }
     }
 }
@@ -294,9 +315,9 @@ impl Formula {
             Self::Reflect(tiny) => optics::reflect(rays, tiny),
             Self::SnellUsual(tiny) => optics::snell_usual(rays, tiny),
             Self::SnellStable(tiny) => optics::snell_stable(is_rounded, tiny),
-            Self::Cosines => optics::cosines(),
-            Self::FresnelExact => optics::fresnel_exact(),
-            Self::FresnelSchlick { from_smaller } => optics::fresnel_schlick(from_smaller),
+            Self::SnellSign => optics::snell_sign(),
+            Self::FresnelExact(given) => optics::fresnel_exact(given),
+            Self::FresnelSchlick { given, from_smaller } => optics::fresnel_schlick(given, from_smaller),
             Self::Share(split) => color::share(split),
             Self::Returned => color::returned(),
             Self::Sum => color::sum(),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::field::Measure;
-use super::{Difference, Distance, Divergence, Field, Missing, Tolerances, Value, Which};
+use super::{Difference, Distance, Divergence, Field, Missing, Pair, Tolerances, Value, Which};
 use crate::tree::path::Branch;
 use crate::tree::{HitRecord, Kind, Ledger, LightTerms, NodePath, Outcome, RayNode, RayTree};
 
@@ -139,7 +139,10 @@ impl Walk<'_> {
         let follows = from.weight || of_structure;
         let weight = self.numbers(&place, Field::Weight, slice(&a.weight), slice(&b.weight), follows) || from.weight;
         let iors = [a.ior, b.ior].map(|ior| ior.map(|x| [x]));
-        let medium = self.numbers(&place, Field::Ior, slice(&iors[0]), slice(&iors[1]), of_structure) || from.optics;
+        // An untraced ray is in no medium; that it is not traced is what parts.
+        let both_traced = a.outcome.is_traced() == b.outcome.is_traced();
+        let medium = from.optics
+            | (both_traced && self.numbers(&place, Field::Ior, slice(&iors[0]), slice(&iors[1]), of_structure));
         geometry |= self.numbers(&place, Field::Origin, Some(&a.origin), Some(&b.origin), geometry);
         let bends = geometry || from.optics;
         geometry |= self.numbers(&place, Field::Direction, Some(&a.direction), Some(&b.direction), bends);
@@ -248,17 +251,10 @@ impl Walk<'_> {
     /// Compares the shadow rays of two nodes, aligned by their lights, and after each the terms of its light; says whether the
     /// terms part.
     fn shadows(&mut self, place: &Place<'_>, a: &RayNode, b: &RayNode, geometry: bool) -> bool {
-        let mut rest: Vec<(usize, &RayNode)> = b.shadows.iter().enumerate().collect();
-        let mut pairs: Vec<(usize, Option<&RayNode>, Option<&RayNode>)> = Vec::new();
-        for (i, p) in a.shadows.iter().enumerate() {
-            let same = rest.iter().position(|(_, q)| q.light == p.light);
-            pairs.push((i, Some(p), same.map(|j| rest.remove(j).1)));
-        }
-        pairs.extend(rest.into_iter().map(|(j, q)| (j, None, Some(q))));
         let (terms_a, terms_b) = (terms(a), terms(b));
         let mut lights: BTreeSet<&str> = terms_a.keys().chain(terms_b.keys()).copied().collect();
         let mut parted = false;
-        for (i, p, q) in pairs {
+        for (branch, p, q) in shadow_pairs(&a.shadows, &b.shadows) {
             let light = p.or(q).and_then(|node| node.light.as_deref());
             let key = light.unwrap_or_default();
             let [before, after] = [&terms_a, &terms_b].map(|terms| terms.get(key).copied());
@@ -271,7 +267,7 @@ impl Walk<'_> {
                 (Some(p), Some(q)) => {
                     let count = self.found.len();
                     let from = Parted { geometry, ..Parted::default() };
-                    let below = self.node(&place.path.child(Branch::Shadow(i)), p, q, from, place.reach);
+                    let below = self.node(&place.path.child(branch), p, q, from, place.reach);
                     // What a shadow ray does to the pixel is what its light does.
                     self.found[count..].iter_mut().for_each(|divergence| divergence.effect = effect);
                     below.geometry
@@ -399,6 +395,41 @@ fn divergence(
     let light = place.light.map(str::to_owned);
     let (path, kind, effect) = (place.path.clone(), place.kind, place.effect);
     Divergence { path, kind, field, light, a, b, distance, effect, consequence }
+}
+
+/// A branch of a node with its ray in A and in B.
+type BranchPair<'t> = (Branch, Option<&'t RayNode>, Option<&'t RayNode>);
+
+/// Shadow rays in pairs, by their lights; what only B has comes last, with its place there.
+fn shadow_pairs<'t>(a: &'t [RayNode], b: &'t [RayNode]) -> Vec<BranchPair<'t>> {
+    let mut rest: Vec<(usize, &RayNode)> = b.iter().enumerate().collect();
+    let mut pairs: Vec<BranchPair<'t>> = Vec::new();
+    for (i, p) in a.iter().enumerate() {
+        let same = rest.iter().position(|(_, q)| q.light == p.light);
+        pairs.push((Branch::Shadow(i), Some(p), same.map(|j| rest.remove(j).1)));
+    }
+    pairs.extend(rest.into_iter().map(|(j, q)| (Branch::Shadow(j), None, Some(q))));
+    pairs
+}
+
+/// Both trees as one: the rays of all places that either of them has, in trace order.
+pub(super) fn pairs<'t>(a: &'t RayTree, b: &'t RayTree) -> Vec<Pair<'t>> {
+    let mut pairs = Vec::new();
+    let mut open = vec![Pair { path: NodePath::ROOT, depth: 0, a: Some(&a.root), b: Some(&b.root) }];
+    while let Some(pair) = open.pop() {
+        let shadows = |node: Option<&'t RayNode>| node.map_or(&[][..], |node| &node.shadows);
+        let mut below = shadow_pairs(shadows(pair.a), shadows(pair.b));
+        let both = |of: fn(&RayNode) -> Option<&RayNode>| (pair.a.and_then(of), pair.b.and_then(of));
+        let (p, q) = both(|node| node.reflected.as_deref());
+        below.push((Branch::Reflected, p, q));
+        let (p, q) = both(|node| node.refracted.as_deref());
+        below.push((Branch::Refracted, p, q));
+        let there = below.into_iter().rev().filter(|(_, a, b)| a.is_some() || b.is_some());
+        let depth = pair.depth + 1;
+        open.extend(there.map(|(branch, a, b)| Pair { path: pair.path.child(branch), depth, a, b }));
+        pairs.push(pair);
+    }
+    pairs
 }
 
 /// The terms of a node's lights by name.

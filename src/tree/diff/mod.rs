@@ -16,7 +16,7 @@ pub use field::Field;
 pub use forest::{Bin, ForestDifference};
 pub use tolerance::{Distance, Tolerance, Tolerances};
 
-use super::{Kind, NodePath, RayTree};
+use super::{Kind, NodePath, RayNode, RayTree};
 
 /// Where two trees part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -147,4 +147,22 @@ pub enum Which {
 /// ```
 pub fn diff(a: &RayTree, b: &RayTree, tolerances: &Tolerances) -> Difference {
     align::compare(a, b, tolerances)
+}
+
+/// The same place of two trees.
+#[derive(Clone, Debug)]
+pub struct Pair<'t> {
+    /// The place: that in A, or in B where A has no ray there.
+    pub path: NodePath,
+    /// How many rays above it there are.
+    pub depth: usize,
+    /// The ray in A.
+    pub a: Option<&'t RayNode>,
+    /// The ray in B.
+    pub b: Option<&'t RayNode>,
+}
+
+/// Both trees as one: all places that either of them has, in trace order, shadow rays aligned by their lights.
+pub fn pairs<'t>(a: &'t RayTree, b: &'t RayTree) -> Vec<Pair<'t>> {
+    align::pairs(a, b)
 }

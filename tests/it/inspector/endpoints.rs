@@ -4,6 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
+use raytree::inspector::PANE;
 use raytree::numbers::Stage;
 use raytree::pictures::diagrams::{Chosen, Input, Kind, diagram};
 use raytree::pictures::theme::Theme;
@@ -185,6 +186,10 @@ fn recordings_and_diagrams_are_those_of_the_library() {
                         for chosen in [None, chosen] {
                             let input = Input::new(&loaded.scene, &tree, path.clone()).unwrap();
                             let input = chosen.map_or(input.clone(), |chosen| input.about(chosen));
+                            let input = match kind.is_of_the_whole_tree() {
+                                true => input,
+                                false => input.on_page(PANE.x, PANE.y),
+                            };
                             let place = path.to_string().replace('[', "%5B").replace(']', "%5D");
                             let about = chosen.map_or(String::new(), |Chosen { shape, primitive }| {
                                 let primitive = primitive.map_or(String::new(), |p| format!("&primitive={p}"));

@@ -1,5 +1,11 @@
 //! Whom the server talks to, and that nothing but its own files can be read.
 
+use std::net::TcpListener;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use raytree::inspector::{Inspector, Limits, Settings, serve};
+
 use super::Site;
 use super::client::{self, Answer};
 
@@ -154,4 +160,13 @@ fn no_path_leads_out() {
         let request = format!("{method} / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nConnection: close\r\n\r\n", site.port);
         assert_eq!(client::ask(site.port, request).status, 405, "{method}");
     }
+}
+
+#[test]
+fn only_on_the_loopback_address() {
+    let text = std::fs::read_to_string(SCENE).unwrap();
+    let inspector = Inspector::new(SCENE, &text, Settings::default(), &mut |_| Err("none".into())).unwrap();
+    let listener = TcpListener::bind("0.0.0.0:0").unwrap();
+    let served = serve(listener, Arc::new(inspector), Limits::default(), &AtomicBool::new(false));
+    assert!(served.unwrap_err().to_string().contains("loopback"));
 }

@@ -150,7 +150,7 @@ fn without_formula(ways: &[(Numerics, Precision)]) -> (BTreeMap<String, usize>, 
                 "color = color + through" => true,
                 "diffuse = k_d * the surface's color * (n . l) * light" => material.unwrap().diffuse.is_some(),
                 "specular = k_s * max(0, r . v)^shininess * light" => material.unwrap().specular.is_some(),
-                "if it transmits: Snell's law; total reflection?" => n_i != n_t && !of.total_reflection,
+                "if it transmits: Snell's law; total reflection?" => n_i != n_t,
                 "R = Fresnel's share" => n_i != n_t && !of.total_reflection,
                 "r = d - 2 (d . n) n" => true,
                 "t = the direction of Snell's law" => node.direction != of.direction,
@@ -177,8 +177,7 @@ fn what_is_computed_has_its_formula() {
     assert_eq!(without, BTreeMap::new());
     assert!(with.len() > 18, "{with:?}");
     let (without, with) = without_formula(&WAYS);
-    println!("{without:?}");
-    let count: usize = with.values().sum();
-    let missing: usize = without.values().sum();
-    assert!(missing * 1000 < count, "{without:?} of {with:?}");
+    // With other kernels a sphere's centre may be hit, where there is no normal.
+    let (missing, count): (usize, usize) = (without.values().sum(), with.values().sum());
+    assert!(missing < 4 && count > 50_000, "{without:?} of {with:?}");
 }

@@ -111,7 +111,7 @@ fn events_are_read_and_others_answered_with_the_list() {
     }
     for word in ["", "hits", "depth", "depth -1", "depth x", "weight nan", "t", "object", "hit 3", "total reflection"] {
         let no = word.parse::<Event>().unwrap_err();
-        assert!(no.message.contains("is no event") && !no.help.is_empty(), "{no}");
+        assert!(no.message.contains("no event") && !no.help.is_empty(), "{no}");
     }
     assert!("everything".parse::<Event>().unwrap_err().help.contains("`object NAME`"));
 }

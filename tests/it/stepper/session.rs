@@ -63,8 +63,24 @@ fn a_sphere_and_its_arithmetic() {
 
 #[test]
 fn bad_commands_are_answered_and_the_session_goes_on() {
-    let script = "frobnicate\nbak\nuntil\nuntil dept 3\nto 0\nto 10000\ns x\nprint\nprint hti\nlist everything\ndraw tre\nb\no\nwhere\n";
-    insta::assert_snapshot!(session(SCENE, PIXEL, script));
+    let script = [
+        "frobnicate",
+        "bak",
+        "until",
+        "until dept 3",
+        "to 0",
+        "to 10000",
+        "s x",
+        "print",
+        "print hti",
+        "list everything",
+        "draw tre",
+        "b",
+        "o",
+        "where",
+    ];
+    let script = script.join("\n");
+    insta::assert_snapshot!(session(SCENE, PIXEL, &script));
 }
 
 #[test]
@@ -94,7 +110,19 @@ fn drawings_are_written_and_nothing_else_is_touched() {
     let scene = fs::canonicalize(SCENE).unwrap();
     let scene = scene.to_str().unwrap();
     fs::write(folder.path().join("mine.svg"), "mine").unwrap();
-    let script = "until t 100\ndraw\ndraw\ndraw tree\ndraw tree.png\ndraw tree tree.png\ndraw mine.svg\ndraw sphere\ndraw notes.txt\ndraw nowhere/a.svg\n";
+    let script = [
+        "until t 100",
+        "draw",
+        "draw",
+        "draw tree",
+        "draw tree.png",
+        "draw tree tree.png",
+        "draw mine.svg",
+        "draw sphere",
+        "draw notes.txt",
+        "draw nowhere/a.svg",
+    ];
+    let script = script.join("\n");
     let output = run(Some(folder.path()), &[scene, PIXEL], script.as_bytes());
     let said = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(0), "{said}");

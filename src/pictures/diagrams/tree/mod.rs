@@ -265,13 +265,13 @@ fn weight_text(theme: &Theme) -> Text {
     Text::new(SMALL - 1.0, theme.muted)
 }
 
-fn weight_words(node: &RayNode) -> Option<String> {
+pub(super) fn weight_words(node: &RayNode) -> Option<String> {
     let w = node.weight?;
     Some(if w[0] == w[1] && w[1] == w[2] { shown(w[0]) } else { shown_vector(w) })
 }
 
 /// What a card says: what was hit, and how.
-fn card_words(node: &RayNode) -> Vec<String> {
+pub(super) fn card_words(node: &RayNode) -> Vec<String> {
     let object = node.hit.as_ref().map(|hit| match &hit.object {
         Some(name) => printable(name).into_owned(),
         None => format!("shape {}", hit.shape),
@@ -303,7 +303,7 @@ fn card_words(node: &RayNode) -> Vec<String> {
 }
 
 /// A shadow ray brings back no light, but a verdict: an open circle for light, a full one for none.
-fn light_mark(drawing: &mut Drawing, at: DVec2, outcome: Outcome, theme: &Theme) {
+pub(super) fn light_mark(drawing: &mut Drawing, at: DVec2, outcome: Outcome, theme: &Theme) {
     let color = theme.ray(Kind::Shadow, 1.0).color;
     match outcome {
         Outcome::Lit => frame::ring(drawing, at, 4.5, color, theme),
