@@ -37,6 +37,7 @@ pub(super) const ASSETS: &[Asset] = &[
     asset("heat.js", include_bytes!("page/heat.js"), JS),
     asset("help.js", include_bytes!("page/help.js"), JS),
     asset("json-edit.js", include_bytes!("page/json-edit.js"), JS),
+    asset("letters.js", include_bytes!("page/letters.js"), JS),
     asset("numbers-pane.js", include_bytes!("page/numbers-pane.js"), JS),
     asset("palette.js", include_bytes!("page/palette.js"), JS),
     asset("player.js", include_bytes!("page/player.js"), JS),

@@ -69,7 +69,7 @@ describe('an exported page', () => {
                 await shows(page, () => page.click(`#${id}`).then(() => page.keyboard.press('s')));
                 assert.ok(await page.locator('#diagram svg').count() === 1, id);
             }
-            assert.ok(await page.locator('#diagram svg defs path[d]').count() > 5, 'letters are drawn');
+            assert.ok(await page.locator('#diagram svg path[transform][d]').count() > 5, 'letters are drawn');
             await page.click('#view-3d');
             await page.waitForSelector('#space canvas');
             await page.selectOption('#overlay', 'tests');

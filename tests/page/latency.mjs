@@ -1,5 +1,6 @@
 // How long the page takes, in a real browser: from a click on a pixel to tree, arithmetic and diagram on the screen, a step, and
-// the first complete picture. Prints a table. `node latency.mjs [CLICKS]`; RAYTREE names the program.
+// the first complete picture. Prints a table. `node latency.mjs [CLICKS [WORD]]`: only scenes with that word in their name; RAYTREE names
+// the program.
 
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { cpus, platform, tmpdir, totalmem } from 'node:os';
@@ -7,6 +8,7 @@ import { join } from 'node:path';
 import { browse, openPage, program, root, serve } from './support.mjs';
 
 const clicks = Number(process.argv[2] ?? 30);
+const word = process.argv[3] ?? '';
 
 /** A torus with bumps of at least 70,000 triangles, and a scene around it. */
 async function writeLargeMesh(folder) {
@@ -101,12 +103,24 @@ async function measureSteps(page, count) {
     }, count);
 }
 
+/** One line of the table. */
+function print(row) {
+    const number = (x, width, digits = 1) => x.toFixed(digits).padStart(width);
+    console.log(`${row.scene.padEnd(38)} ${row.pixels.padStart(9)} ${number(row.picture, 9, 0)} ${number(row.median, 10)} ${number(row.p95, 10)} `
+        + `${number(row.ratio, 9, 2)} ${number(row.step, 9)} ${number(row.stepShown, 13)}`);
+}
+
+const machine = `${cpus()[0].model.trim()}, ${cpus().length} cores, ${Math.round(totalmem() / 2 ** 30)} GiB, ${platform()}`;
+console.log(`${program.includes('release') ? 'release' : 'debug'} build, headless Chromium without a graphics card, ${machine}`);
+console.log(`${clicks} clicks a scene; milliseconds; the limit is 50 a click (100 for the mesh of 70,000 triangles), 16 a step`);
+console.log('scene                                     pixels   picture  click p50  click p95  of limit  step p95  with diagram');
+
 const folder = await mkdtemp(join(tmpdir(), 'raytree-latency-'));
-const browser = await browse();
+const browser = await browse({ webgl: false });
 const rows = [];
 try {
     const scenes = (await readdir(join(root, 'scenes'))).filter((name) => name.endsWith('.json') && !name.includes('schema')).sort();
-    const files = [...scenes.map((name) => join('scenes', name)), await writeLargeMesh(folder)];
+    const files = [...scenes.map((name) => join('scenes', name)), await writeLargeMesh(folder)].filter((file) => file.includes(word));
     for (const file of files) {
         const server = await serve(file);
         try {
@@ -119,10 +133,12 @@ try {
             const times = await measureClicks(page, clicks);
             const steps = await measureSteps(page, 40);
             const limit = file.includes('70000') ? 100 : 50;
-            rows.push({
+            const row = {
                 scene: file.split('/').pop(), pixels: `${width}x${height}`, picture, median: quantile(times, 0.5), p95: quantile(times, 0.95),
                 ratio: quantile(times, 0.95) / limit, step: quantile(steps.work, 0.95), stepShown: quantile(steps.all, 0.95),
-            });
+            };
+            rows.push(row);
+            print(row);
             await page.context().close();
         } finally {
             server.stop();
@@ -133,14 +149,5 @@ try {
     await rm(folder, { recursive: true });
 }
 
-const machine = `${cpus()[0].model.trim()}, ${cpus().length} cores, ${Math.round(totalmem() / 2 ** 30)} GiB, ${platform()}`;
-console.log(`${program.includes('release') ? 'release' : 'debug'} build, headless Chromium with software WebGL, ${machine}`);
-console.log(`${clicks} clicks a scene; milliseconds; the limit is 50 a click (100 for the mesh of 70,000 triangles), 16 a step`);
-console.log('scene                                     pixels   picture  click p50  click p95  of limit  step p95  with diagram');
-for (const row of rows) {
-    const number = (x, width, digits = 1) => x.toFixed(digits).padStart(width);
-    console.log(`${row.scene.padEnd(38)} ${row.pixels.padStart(9)} ${number(row.picture, 9, 0)} ${number(row.median, 10)} ${number(row.p95, 10)} `
-        + `${number(row.ratio, 9, 2)} ${number(row.step, 9)} ${number(row.stepShown, 13)}`);
-}
 const worst = rows.filter((row) => row.ratio > 1 || row.step > 16);
 if (worst.length) console.log(`over the limit: ${worst.map((row) => row.scene).join(', ')}`);

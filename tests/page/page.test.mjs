@@ -115,6 +115,18 @@ describe('by mouse', () => {
         assert.ok(painted > 0);
     }));
 
+    test('the section grows with the steps', () => onPage(async (page) => {
+        await page.click('#view-section');
+        await shows(page, () => page.click('#go-end'));
+        const seen = () => page.locator('#diagram [data-node]').evaluateAll((all) => new Set(all.filter((part) => getComputedStyle(part).visibility !== 'hidden').map((part) => part.dataset.node)).size);
+        const all = await seen();
+        assert.ok(all > 3, `${all} rays have parts of their own`);
+        await shows(page, () => page.click('#go-start'));
+        assert.ok(await seen() < all);
+        await page.uncheck('#growing');
+        assert.equal(await seen(), all);
+    }));
+
     test('what if: a knob, the difference, undo and redo', () => onPage(async (page) => {
         await page.click('#tab-whatif');
         await shows(page, () => page.locator('#knob-ior').fill('1.2'));

@@ -18,8 +18,11 @@ const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 const FLAGS = [
     '--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-    '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+    '--disable-sync',
 ];
+
+/** WebGL2 without a graphics card; everything else is then drawn that way too, which is slow. */
+const SOFTWARE_WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 /** Runs the program to its end; resolves with what it printed. */
 export function run(...args) {
@@ -54,9 +57,9 @@ export function serve(scene, ...more) {
     });
 }
 
-/** A browser. */
-export function browse() {
-    return chromium.launch({ executablePath: CHROMIUM, args: FLAGS });
+/** A browser; with WebGL2, or without, as if there were no graphics card. */
+export function browse({ webgl = true } = {}) {
+    return chromium.launch({ executablePath: CHROMIUM, args: [...FLAGS, ...(webgl ? SOFTWARE_WEBGL : ['--disable-gpu'])] });
 }
 
 /** A page that keeps every error it meets in `page.problems`. */

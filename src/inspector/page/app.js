@@ -277,6 +277,8 @@ class Inspector {
     async present() {
         const { step, node, player } = this;
         const hidesLater = this.predictor.isOn;
+        // Asked for first: the server draws while the panes are filled.
+        const drawn = this.diagram.show(step, node, hidesLater);
         this.controls.show(step, this.words(), hidesLater);
         this.code.show(step);
         this.tree.show(step, node, hidesLater);
@@ -286,7 +288,7 @@ class Inspector {
         this.status();
         this.saveAddress();
         const mark = { pixel: this.pixel, step };
-        await this.diagram.show(step, node, hidesLater);
+        await drawn;
         if (this.step !== step || this.player !== player) return;
         document.dispatchEvent(new CustomEvent('raytree-shown', { detail: mark }));
         this.prefetchSoon ??= whenQuiet(30, () => {

@@ -1,6 +1,6 @@
 // The pseudocode with the current line, and the call stack with its variables.
 
-import { byId, make, setText } from './dom.js';
+import { byId, keepTop, make, setText } from './dom.js';
 import { briefValue } from './format.js';
 
 /** A variable in few words. Rays and hits are objects of numbers and vectors. */
@@ -19,6 +19,10 @@ export class CodePane {
         this.onStep = onStep;
         this.host = byId('code-lines');
         this.stack = byId('stack');
+        this.stackToTop = keepTop(this.stack);
+        this.scrollTop = 0;
+        this.host.addEventListener('scroll', () => (this.scrollTop = this.host.scrollTop), { passive: true });
+        new ResizeObserver(() => this.measure()).observe(this.host);
         this.lines = [];
     }
 
@@ -38,6 +42,7 @@ export class CodePane {
         list.append(...this.lines);
         this.host.replaceChildren(list);
         this.active = [];
+        this.measure();
     }
 
     /** Shows a step. */
@@ -55,24 +60,36 @@ export class CodePane {
             current.classList.add('current');
             current.setAttribute('aria-current', 'step');
             this.active.push(current);
-            this.keepInSight(current);
+            this.line = line;
+            this.keepInSight(line);
         }
         this.showStack(stack);
     }
 
-    keepInSight(element) {
-        const height = this.host.clientHeight;
-        const top = element.offsetTop - this.host.offsetTop;
-        const margin = Math.min(60, height / 4);
-        if (top - margin < this.host.scrollTop) this.host.scrollTop = top - margin;
-        else if (top + 20 + margin > this.host.scrollTop + height) this.host.scrollTop = top + 20 + margin - height;
+    /** Where the lines are, asked once for a size: to ask at every step would lay out the page at once. */
+    measure() {
+        this.height = this.host.clientHeight;
+        this.places = this.lines.map((line) => [line.offsetTop - this.host.offsetTop, line.offsetHeight]);
+        if (this.line !== undefined) this.keepInSight(this.line);
+    }
+
+    keepInSight(line) {
+        if (!this.places?.[line] || !this.height) return;
+        const [top, height] = this.places[line];
+        const margin = Math.min(60, this.height / 4);
+        let to = this.scrollTop;
+        if (top - margin < to) to = Math.max(0, top - margin);
+        else if (top + height + margin > to + this.height) to = top + height + margin - this.height;
+        if (to === this.scrollTop) return;
+        this.scrollTop = to;
+        this.host.scrollTop = to;
     }
 
     showStack(stack) {
         while (this.stack.children.length > stack.length) this.stack.lastChild.remove();
         while (this.stack.children.length < stack.length) this.stack.append(this.newFrame());
         stack.forEach((frame, i) => this.fillFrame(this.stack.children[i], frame, i === 0));
-        this.stack.scrollTop = 0;
+        this.stackToTop();
     }
 
     newFrame() {

@@ -46,7 +46,10 @@ export class Controls {
             event.preventDefault();
             onUntil(this.event.value, this.argument());
         });
-        new ResizeObserver(() => this.drawTimeline()).observe(this.timeline);
+        new ResizeObserver(([entry]) => {
+            this.width = entry.contentRect.width;
+            this.drawTimeline();
+        }).observe(this.timeline);
     }
 
     chooseEvent() {
@@ -88,8 +91,8 @@ export class Controls {
 
     /** A band that says for each step what kind of ray is at work, and how deep the recursion is; while one predicts, so far. */
     drawTimeline() {
-        if (!this.player || !this.timeline.clientWidth) return;
-        const width = Math.round(this.timeline.clientWidth * devicePixelRatio);
+        if (!this.player || !this.width) return;
+        const width = Math.round(this.width * devicePixelRatio);
         const height = Math.round(10 * devicePixelRatio);
         this.timeline.width = width;
         this.timeline.height = height;

@@ -2,6 +2,7 @@
 // are hidden.
 
 import { byId, setText, wireTabs } from './dom.js';
+import { joinLetters } from './letters.js';
 
 /** How many diagrams are kept. */
 const KEPT_DIAGRAMS = 120;
@@ -197,7 +198,7 @@ export class DiagramPane {
     async fetch(key, about) {
         try {
             const svg = await this.api.diagram(this.sceneId, ...this.pixel, about);
-            const document = new DOMParser().parseFromString(svg, 'image/svg+xml');
+            const document = new DOMParser().parseFromString(joinLetters(svg), 'image/svg+xml');
             this.keep(key, { root: document.documentElement });
         } catch (error) {
             if (error.status === undefined || error.status === 404) this.keep(key, { why: error.message }, true);

@@ -37,6 +37,16 @@ export function byId(id) {
     return document.getElementById(id);
 }
 
+/** A box that goes back to its top when `toTop` is called, without asking the browser where it is. */
+export function keepTop(host) {
+    let isScrolled = false;
+    host.addEventListener('scroll', () => (isScrolled = host.scrollTop !== 0), { passive: true });
+    return () => {
+        if (isScrolled) host.scrollTop = 0;
+        isScrolled = false;
+    };
+}
+
 /** Only the last of many calls runs, once the calls have paused. */
 export function whenQuiet(milliseconds, run) {
     let timer;
@@ -88,18 +98,26 @@ export class LongList {
         this.rows = [];
         this.room = make('div', { class: 'long-room', role: 'presentation' });
         host.append(this.room);
-        host.addEventListener('scroll', () => this.place(false), { passive: true });
-        new ResizeObserver(() => {
-            this.viewHeight = host.clientHeight;
+        // Where it is scrolled to and how high it is are remembered: to ask would lay out the page at once.
+        this.scrollTop = 0;
+        this.viewHeight = 0;
+        host.addEventListener('scroll', () => {
+            this.scrollTop = host.scrollTop;
             this.place(false);
+        }, { passive: true });
+        new ResizeObserver(([entry]) => {
+            this.viewHeight = entry.contentRect.height;
+            this.scrollTop = host.scrollTop;
+            this.place(false);
+            if (this.wanted !== undefined) this.reveal(this.wanted);
         }).observe(host);
-        this.viewHeight = host.clientHeight;
     }
 
     /** Shows so many rows, all drawn anew. */
     show(count) {
         this.count = count;
         this.room.style.height = `${count * this.rowHeight}px`;
+        if (this.scrollTop > Math.max(0, count * this.rowHeight - this.viewHeight)) this.scrollTo(0);
         this.place(true);
     }
 
@@ -116,17 +134,25 @@ export class LongList {
     /** Scrolls no farther than needed until the row is in sight. */
     reveal(index) {
         if (index < 0 || index >= this.count) return;
+        // Before it has a size: when it has.
+        this.wanted = this.viewHeight ? undefined : index;
         const top = index * this.rowHeight;
-        const height = this.viewHeight || this.host.clientHeight;
-        const from = this.host.scrollTop;
-        if (top < from) this.host.scrollTop = top;
-        else if (top + this.rowHeight > from + height) this.host.scrollTop = top + this.rowHeight - height;
+        const from = this.scrollTop;
+        if (top < from) this.scrollTo(top);
+        else if (this.viewHeight && top + this.rowHeight > from + this.viewHeight) this.scrollTo(top + this.rowHeight - this.viewHeight);
         this.place(false);
     }
 
+    /** Scrolls; asks for nothing. */
+    scrollTo(top) {
+        if (top === this.scrollTop) return;
+        this.scrollTop = top;
+        this.host.scrollTop = top;
+    }
+
     place(isAnew) {
-        const first = Math.max(0, Math.floor(this.host.scrollTop / this.rowHeight) - 4);
-        const last = Math.min(this.count, Math.ceil((this.host.scrollTop + (this.viewHeight || 0)) / this.rowHeight) + 4);
+        const first = Math.max(0, Math.floor(this.scrollTop / this.rowHeight) - 4);
+        const last = Math.min(this.count, Math.ceil((this.scrollTop + this.viewHeight) / this.rowHeight) + 4);
         const wanted = Math.max(0, last - first);
         while (this.rows.length < wanted) {
             const element = make('div', { class: 'long-row' });

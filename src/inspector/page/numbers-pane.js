@@ -1,6 +1,6 @@
 // The arithmetic of the current step: the formula in symbols, with this ray's numbers, each value, and the verdict.
 
-import { byId, make } from './dom.js';
+import { byId, keepTop, make } from './dom.js';
 import { drawInput, drawLine, namesIn } from './formulas.js';
 import { testName } from './tests-pane.js';
 
@@ -8,6 +8,7 @@ import { testName } from './tests-pane.js';
 export class NumbersPane {
     constructor() {
         this.host = byId('arithmetic');
+        this.toTop = keepTop(this.host);
         this.allDigits = byId('digits');
         this.allDigits.addEventListener('change', () => this.show(this.step));
     }
@@ -34,7 +35,7 @@ export class NumbersPane {
         if (form) parts.push(...this.formula(form, this.player.valuesAt(step), arithmetic));
         else if (!verdict) parts.push(make('p', { class: 'form-title', text: 'Nothing is computed in this step.' }));
         this.host.replaceChildren(...parts);
-        this.host.scrollTop = 0;
+        this.toTop();
     }
 
     formula(form, values, arithmetic) {

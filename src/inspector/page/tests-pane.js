@@ -109,7 +109,7 @@ export class TestsPane {
         if (event.ctrlKey || event.metaKey || event.altKey || !this.rows.length) return;
         const row = this.places.get(this.current) ?? (event.key === 'ArrowUp' ? this.rows.length : -1);
         const last = this.rows.length - 1;
-        const page = Math.max(1, Math.floor(this.host.clientHeight / 24) - 1);
+        const page = Math.max(1, Math.floor(this.list.viewHeight / 24) - 1);
         const to = { ArrowDown: row + 1, ArrowUp: row - 1, Home: 0, End: last, PageDown: row + page, PageUp: row - page }[event.key];
         if (to === undefined) return;
         event.preventDefault();

@@ -34,7 +34,7 @@ export class TreePane {
         this.closed = new Set(player.nodes.filter((node) => node.level >= open && node.children.length).map((node) => node.index));
         this.total = Math.max(1e-12, ...player.nodes.map((node) => (node.contribution ? luminance(node.contribution) : 0)));
         setText(this.count, counted(player.recording.tree.rays, 'ray'));
-        this.host.scrollTop = 0;
+        this.list.scrollTo(0);
         this.listRows();
     }
 
@@ -148,7 +148,7 @@ export class TreePane {
             if (to >= 0 && to < this.rows.length) this.onNode(this.rows[to]);
         };
         const isOpen = node.children.length > 0 && !this.closed.has(node.index);
-        const page = Math.max(1, Math.floor(this.host.clientHeight / 24) - 1);
+        const page = Math.max(1, Math.floor(this.list.viewHeight / 24) - 1);
         switch (event.key) {
             case 'ArrowDown': go(row + 1); break;
             case 'ArrowUp': go(row - 1); break;
