@@ -1,7 +1,7 @@
 // The letters of a drawing, each label as one path. As the drawings come, every letter is a `use` of an outline: small to
 // send, but a browser builds a tree of its own for each, which takes longer than all else that a click does.
 
-/** Outlines by their names, which mean the same in all drawings: `[command, numbers...]` a piece; nothing if it cannot be moved. */
+/** Outlines by their names, the same in all drawings: `[command, numbers...]` a piece; nothing if it cannot be moved. */
 const OUTLINES = new Map();
 
 /** The pieces of an outline of absolute moves, lines and curves. */
