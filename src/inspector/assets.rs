@@ -43,6 +43,7 @@ pub(super) const ASSETS: &[Asset] = &[
     asset("player.js", include_bytes!("page/player.js"), JS),
     asset("predict.js", include_bytes!("page/predict.js"), JS),
     asset("render-pane.js", include_bytes!("page/render-pane.js"), JS),
+    asset("shaders.js", include_bytes!("page/shaders.js"), JS),
     asset("solids.js", include_bytes!("page/solids.js"), JS),
     asset("tests-pane.js", include_bytes!("page/tests-pane.js"), JS),
     asset("tree-pane.js", include_bytes!("page/tree-pane.js"), JS),

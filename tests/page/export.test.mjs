@@ -29,7 +29,10 @@ async function offline(file, hash, work) {
     try {
         await work(page);
         assert.deepEqual(page.problems, []);
-        assert.deepEqual(asked.filter((url) => !url.startsWith('data:') && !url.startsWith('blob:')), []);
+        assert.deepEqual(
+            asked.filter((url) => !url.startsWith('data:') && !url.startsWith('blob:')),
+            [],
+        );
     } finally {
         await page.context().close();
     }
@@ -67,9 +70,9 @@ describe('an exported page', () => {
             assert.equal(await stepShown(page), 1);
             for (const id of ['view-section', 'view-tree', 'view-ledger', 'view-surface']) {
                 await shows(page, () => page.click(`#${id}`).then(() => page.keyboard.press('s')));
-                assert.ok(await page.locator('#diagram svg').count() === 1, id);
+                assert.ok((await page.locator('#diagram svg').count()) === 1, id);
             }
-            assert.ok(await page.locator('#diagram svg path[transform][d]').count() > 5, 'letters are drawn');
+            assert.ok((await page.locator('#diagram svg path[transform][d]').count()) > 5, 'letters are drawn');
             await page.click('#view-3d');
             await page.waitForSelector('#space canvas');
             await page.selectOption('#overlay', 'tests');

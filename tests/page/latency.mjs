@@ -1,6 +1,6 @@
 // How long the page takes, in a real browser: from a click on a pixel to tree, arithmetic and diagram on the screen, a step, and
-// the first complete picture. Prints a table. `node latency.mjs [CLICKS [WORD]]`: only scenes with that word in their name; RAYTREE names
-// the program.
+// the first complete picture. Prints a table. `node latency.mjs [CLICKS [WORD]]`: only scenes with that word in their name;
+// RAYTREE names the program.
 
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { cpus, platform, tmpdir, totalmem } from 'node:os';
@@ -18,13 +18,18 @@ async function writeLargeMesh(folder) {
         for (let j = 0; j < around; j += 1) {
             const [u, v] = [(i / across) * 2 * Math.PI, (j / around) * 2 * Math.PI];
             const r = 0.4 + 0.03 * Math.sin(14 * u) * Math.sin(9 * v);
-            lines.push(`v ${(1 + r * Math.cos(v)) * Math.cos(u)} ${r * Math.sin(v) + 0.6} ${(1 + r * Math.cos(v)) * Math.sin(u)}`);
+            lines.push(
+                `v ${(1 + r * Math.cos(v)) * Math.cos(u)} ${r * Math.sin(v) + 0.6} ${(1 + r * Math.cos(v)) * Math.sin(u)}`,
+            );
         }
     }
     for (let i = 0; i < across; i += 1) {
         for (let j = 0; j < around; j += 1) {
-            const at = (a, b) => ((a % across) * around) + (b % around) + 1;
-            lines.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j)}`, `f ${at(i + 1, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)}`);
+            const at = (a, b) => (a % across) * around + (b % around) + 1;
+            lines.push(
+                `f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j)}`,
+                `f ${at(i + 1, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)}`,
+            );
         }
     }
     await writeFile(join(folder, 'torus.obj'), `${lines.join('\n')}\n`);
@@ -65,7 +70,13 @@ async function measureClicks(page, count) {
             const box = document.getElementById('render').getBoundingClientRect();
             // A sequence that fills the square evenly.
             const [u, v] = [(0.5 + i * 0.7548776662466927) % 1, (0.5 + i * 0.5698402909980532) % 1];
-            const at = { clientX: box.left + box.width * u, clientY: box.top + box.height * v, button: 0, bubbles: true, pointerId: 1 };
+            const at = {
+                clientX: box.left + box.width * u,
+                clientY: box.top + box.height * v,
+                button: 0,
+                bubbles: true,
+                pointerId: 1,
+            };
             await nextFrame();
             const shown = new Promise((done) => document.addEventListener('raytree-shown', done, { once: true }));
             const start = performance.now();
@@ -106,21 +117,33 @@ async function measureSteps(page, count) {
 /** One line of the table. */
 function print(row) {
     const number = (x, width, digits = 1) => x.toFixed(digits).padStart(width);
-    console.log(`${row.scene.padEnd(38)} ${row.pixels.padStart(9)} ${number(row.picture, 9, 0)} ${number(row.median, 10)} ${number(row.p95, 10)} `
-        + `${number(row.ratio, 9, 2)} ${number(row.step, 9)} ${number(row.stepShown, 13)}`);
+    console.log(
+        `${row.scene.padEnd(38)} ${row.pixels.padStart(9)} ${number(row.picture, 9, 0)} ${number(row.median, 10)} ` +
+            `${number(row.p95, 10)} ${number(row.ratio, 9, 2)} ${number(row.step, 9)} ${number(row.stepShown, 13)}`,
+    );
 }
 
 const machine = `${cpus()[0].model.trim()}, ${cpus().length} cores, ${Math.round(totalmem() / 2 ** 30)} GiB, ${platform()}`;
-console.log(`${program.includes('release') ? 'release' : 'debug'} build, headless Chromium without a graphics card, ${machine}`);
-console.log(`${clicks} clicks a scene; milliseconds; the limit is 50 a click (100 for the mesh of 70,000 triangles), 16 a step`);
-console.log('scene                                     pixels   picture  click p50  click p95  of limit  step p95  with diagram');
+console.log(
+    `${program.includes('release') ? 'release' : 'debug'} build, headless Chromium without a graphics card, ${machine}`,
+);
+console.log(
+    `${clicks} clicks a scene; milliseconds; the limit is 50 a click (100 for the mesh of 70,000 triangles), 16 a step`,
+);
+console.log(
+    'scene                                     pixels   picture  click p50  click p95  of limit  step p95  with diagram',
+);
 
 const folder = await mkdtemp(join(tmpdir(), 'raytree-latency-'));
 const browser = await browse({ webgl: false });
 const rows = [];
 try {
-    const scenes = (await readdir(join(root, 'scenes'))).filter((name) => name.endsWith('.json') && !name.includes('schema')).sort();
-    const files = [...scenes.map((name) => join('scenes', name)), await writeLargeMesh(folder)].filter((file) => file.includes(word));
+    const scenes = (await readdir(join(root, 'scenes')))
+        .filter((name) => name.endsWith('.json') && !name.includes('schema'))
+        .sort();
+    const files = [...scenes.map((name) => join('scenes', name)), await writeLargeMesh(folder)].filter((file) =>
+        file.includes(word),
+    );
     for (const file of files) {
         const server = await serve(file);
         try {
@@ -128,14 +151,22 @@ try {
             const page = await openPage(browser, server.address);
             await page.waitForFunction(() => window.rendered, null, { timeout: 60000, polling: 5 });
             const picture = performance.now() - opened;
-            const { width, height } = JSON.parse(await readFile(file.startsWith('scenes') ? join(root, file) : file, 'utf8')).image;
+            const { width, height } = JSON.parse(
+                await readFile(file.startsWith('scenes') ? join(root, file) : file, 'utf8'),
+            ).image;
             await measureClicks(page, 5);
             const times = await measureClicks(page, clicks);
             const steps = await measureSteps(page, 40);
             const limit = file.includes('70000') ? 100 : 50;
             const row = {
-                scene: file.split('/').pop(), pixels: `${width}x${height}`, picture, median: quantile(times, 0.5), p95: quantile(times, 0.95),
-                ratio: quantile(times, 0.95) / limit, step: quantile(steps.work, 0.95), stepShown: quantile(steps.all, 0.95),
+                scene: file.split('/').pop(),
+                pixels: `${width}x${height}`,
+                picture,
+                median: quantile(times, 0.5),
+                p95: quantile(times, 0.95),
+                ratio: quantile(times, 0.95) / limit,
+                step: quantile(steps.work, 0.95),
+                stepShown: quantile(steps.all, 0.95),
             };
             rows.push(row);
             print(row);

@@ -10,10 +10,18 @@ const browser = await browse();
 const server = await serve('scenes/whitted.json');
 try {
     for (const colorScheme of ['light', 'dark']) {
-        const page = await openPage(browser, `${server.address}#pixel=395,205`, { colorScheme, viewport: { width: 1440, height: 900 } });
+        const page = await openPage(browser, `${server.address}#pixel=395,205`, {
+            colorScheme,
+            viewport: { width: 1440, height: 900 },
+        });
         await page.waitForFunction(() => window.rendered);
         // A ray inside the glass ball, at the test that it hits.
-        await shows(page, () => page.getByRole('treeitem', { name: /^refracted/ }).first().click());
+        await shows(page, () =>
+            page
+                .getByRole('treeitem', { name: /^refracted/ })
+                .first()
+                .click(),
+        );
         await page.click('#view-3d');
         await page.waitForSelector('#space canvas');
         await page.waitForTimeout(600);

@@ -12,12 +12,18 @@ export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 const target = process.env.CARGO_TARGET_DIR ?? join(root, 'target');
 
 /** The program: `RAYTREE`, else what was built last in release, else in debug. */
-export const program = process.env.RAYTREE ?? ['release', 'debug'].map((kind) => join(target, kind, 'raytree')).find(existsSync);
+export const program =
+    process.env.RAYTREE ?? ['release', 'debug'].map((kind) => join(target, kind, 'raytree')).find(existsSync);
 
 const CHROMIUM = process.env.CHROMIUM ?? '/usr/bin/chromium';
 
 const FLAGS = [
-    '--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
+    '--headless',
+    '--no-sandbox',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
     '--disable-sync',
 ];
 
@@ -68,7 +74,8 @@ export async function openPage(browser, address, options = {}) {
     const page = await context.newPage();
     page.problems = [];
     page.on('console', (message) => {
-        if (message.type() === 'error' || message.type() === 'warning') page.problems.push(`${message.text()} (${message.location().url})`);
+        if (message.type() === 'error' || message.type() === 'warning')
+            page.problems.push(`${message.text()} (${message.location().url})`);
     });
     page.on('pageerror', (error) => page.problems.push(String(error)));
     await page.addInitScript(() => {

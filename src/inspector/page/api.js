@@ -147,7 +147,10 @@ class KeptApi {
             const block = this.blocks.get(key);
             if (!block) throw new ApiProblem(404, { why: 'This pixel is not kept in this page.' });
             if (this.opened.size > 20) this.opened.delete(this.opened.keys().next().value);
-            this.opened.set(key, unpacked(block).then((bytes) => JSON.parse(new TextDecoder().decode(bytes))));
+            this.opened.set(
+                key,
+                unpacked(block).then((bytes) => JSON.parse(new TextDecoder().decode(bytes))),
+            );
         }
         return this.opened.get(key);
     }
@@ -163,7 +166,9 @@ class KeptApi {
         // The outlines of letters are kept once for all drawings.
         this.glyphs ??= unpacked(this.kept.glyphs).then((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
         const glyphs = await this.glyphs;
-        return svg.replace(/<path id="([^"]+)"\/>/g, (whole, name) => (glyphs[name] ? `<path id="${name}" d="${glyphs[name]}"/>` : whole));
+        return svg.replace(/<path id="([^"]+)"\/>/g, (whole, name) =>
+            glyphs[name] ? `<path id="${name}" d="${glyphs[name]}"/>` : whole,
+        );
     }
 
     keepsPixel(x, y) {

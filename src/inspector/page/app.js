@@ -15,6 +15,10 @@ import { TreePane } from './tree-pane.js';
 import { View3d } from './view3d.js';
 import { WhatIf } from './whatif.js';
 
+const SUN =
+    'M8 1v2M8 13v2M1 8h2M13 8h2M3 3l1.4 1.4M11.6 11.6 13 13M13 3l-1.4 1.4M4.4 11.6 3 13' + 'M11 8a3 3 0 1 1-6 0 3 3 0 0 1 6 0z';
+const MOON = 'M13 9.5A5.5 5.5 0 0 1 6.5 3a5.5 5.5 0 1 0 6.5 6.5z';
+
 class Inspector {
     constructor() {
         this.api = openApi();
@@ -26,7 +30,10 @@ class Inspector {
         this.tests = new TestsPane({ onTest: (node, test) => this.chooseTest(node, test) });
         this.code = new CodePane({ onStep: (step) => this.goTo(step) });
         this.numbers = new NumbersPane();
-        this.diagram = new DiagramPane(this.api, { onNode: (node) => this.chooseNode(node), onSpace: (isOn) => this.showSpace(isOn) });
+        this.diagram = new DiagramPane(this.api, {
+            onNode: (node) => this.chooseNode(node),
+            onSpace: (isOn) => this.showSpace(isOn),
+        });
         this.controls = new Controls({
             onMove: (how) => this.move(how),
             onStep: (step) => this.goTo(step),
@@ -66,8 +73,15 @@ class Inspector {
 
     wall(error) {
         const retry = make('button', { type: 'button', text: 'Try again', on: { click: () => location.reload() } });
-        document.body.append(make('div', { class: 'wall', role: 'alert' }, make('strong', { text: 'The server does not answer.' }),
-            make('span', { text: String(error.message) }), make('span', {}, retry)));
+        document.body.append(
+            make(
+                'div',
+                { class: 'wall', role: 'alert' },
+                make('strong', { text: 'The server does not answer.' }),
+                make('span', { text: String(error.message) }),
+                make('span', {}, retry),
+            ),
+        );
     }
 
     setScene(scene, keepsPicture) {
@@ -102,9 +116,15 @@ class Inspector {
         this.renderStop = new AbortController();
         const { signal } = this.renderStop;
         try {
-            await this.withScene((scene) => this.api.render(scene, (y, rows, bytes) => {
-                if (!signal.aborted) this.render.rows(y, rows, bytes);
-            }, signal));
+            await this.withScene((scene) =>
+                this.api.render(
+                    scene,
+                    (y, rows, bytes) => {
+                        if (!signal.aborted) this.render.rows(y, rows, bytes);
+                    },
+                    signal,
+                ),
+            );
             if (!signal.aborted) {
                 document.dispatchEvent(new CustomEvent('raytree-rendered'));
                 this.space?.pictureChanged();
@@ -124,9 +144,16 @@ class Inspector {
         const { width, height } = this.scene.image;
         this.render.heat.start(kind, width, height);
         try {
-            await this.withScene((scene) => this.api.overlay(scene, kind, (y, rows, values) => {
-                if (!signal.aborted) this.render.heat.rows(y, rows, values);
-            }, signal));
+            await this.withScene((scene) =>
+                this.api.overlay(
+                    scene,
+                    kind,
+                    (y, rows, values) => {
+                        if (!signal.aborted) this.render.heat.rows(y, rows, values);
+                    },
+                    signal,
+                ),
+            );
             this.render.magnify();
         } catch (error) {
             if (!signal.aborted) this.say(error.message);
@@ -163,7 +190,11 @@ class Inspector {
     }
 
     async showRecording(recording, { x, y, isPassing, step, node, keepsPlace }) {
-        const before = this.player && { step: this.step, last: this.player.steps.length - 1, path: this.player.nodes[this.node].path };
+        const before = this.player && {
+            step: this.step,
+            last: this.player.steps.length - 1,
+            path: this.player.nodes[this.node].path,
+        };
         const player = new Player(recording);
         this.player = player;
         this.pixel = [x, y];
@@ -188,7 +219,8 @@ class Inspector {
         if (named !== undefined && step === undefined && player.placeOf(named) >= 0) place = player.placeOf(named);
         if (step !== undefined && step >= 1 && step <= player.steps.length) place = step - 1;
         this.step = Math.max(0, place);
-        this.node = named !== undefined && (step !== undefined || player.placeOf(named) < 0) ? named : player.steps[this.step].node;
+        this.node =
+            named !== undefined && (step !== undefined || player.placeOf(named) < 0) ? named : player.steps[this.step].node;
         this.isPushing = !isPassing;
         await this.present();
     }
@@ -313,7 +345,8 @@ class Inspector {
     status() {
         const { node, line, verdict } = this.player.steps[this.step];
         const parts = [make('b', { text: this.player.pseudocode[line]?.procedure ?? '' }), `  ${this.nodeName(node)}`];
-        if (verdict) parts.push('  \u2013  ', make('span', { class: verdict.ok ? 'good-word' : 'bad-word', text: verdict.words }));
+        if (verdict)
+            parts.push('  \u2013  ', make('span', { class: verdict.ok ? 'good-word' : 'bad-word', text: verdict.words }));
         byId('status').replaceChildren(...parts);
     }
 
@@ -348,7 +381,7 @@ class Inspector {
         const named = this.scene.pixels.map((one) => [one.x, one.y]).find((one) => this.api.keepsPixel(...one));
         const first = named ?? kept?.[0] ?? [width >> 1, height >> 1];
         const step = pixel && said.get('step') ? Number(said.get('step')) : undefined;
-        const node = pixel ? said.get('node') ?? undefined : undefined;
+        const node = pixel ? (said.get('node') ?? undefined) : undefined;
         await this.choosePixel(...(pixel ?? first), { isPassing: true, step, node });
     }
 
@@ -383,9 +416,24 @@ class Inspector {
 
     addEnlarging() {
         for (const pane of document.querySelectorAll('.pane')) {
-            const path = makeSvg('path', { d: 'M2 6V2h4M14 10v4h-4M2 2l5 5M14 14l-5-5', fill: 'none', stroke: 'currentColor', 'stroke-width': 1.5 });
+            const path = makeSvg('path', {
+                d: 'M2 6V2h4M14 10v4h-4M2 2l5 5M14 14l-5-5',
+                fill: 'none',
+                stroke: 'currentColor',
+                'stroke-width': 1.5,
+            });
             const icon = makeSvg('svg', { width: 14, height: 14, viewBox: '0 0 16 16', 'aria-hidden': 'true' }, path);
-            const button = make('button', { type: 'button', class: 'enlarge', 'aria-pressed': 'false', title: 'Enlarge (x)', 'aria-label': 'Enlarge this pane' }, icon);
+            const button = make(
+                'button',
+                {
+                    type: 'button',
+                    class: 'enlarge',
+                    'aria-pressed': 'false',
+                    title: 'Enlarge (x)',
+                    'aria-label': 'Enlarge this pane',
+                },
+                icon,
+            );
             button.addEventListener('click', () => this.enlarge(pane));
             pane.querySelector('.pane-head').append(button);
         }
@@ -405,9 +453,18 @@ class Inspector {
         const apply = (theme) => {
             document.documentElement.dataset.theme = theme;
             button.setAttribute('aria-pressed', String(theme === 'dark'));
-            const d = theme === 'dark' ? 'M8 1v2M8 13v2M1 8h2M13 8h2M3 3l1.4 1.4M11.6 11.6 13 13M13 3l-1.4 1.4M4.4 11.6 3 13M11 8a3 3 0 1 1-6 0 3 3 0 0 1 6 0z' : 'M13 9.5A5.5 5.5 0 0 1 6.5 3a5.5 5.5 0 1 0 6.5 6.5z';
-            const path = makeSvg('path', { d, fill: 'none', stroke: 'currentColor', 'stroke-width': 1.5, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' });
-            button.replaceChildren(makeSvg('svg', { width: 16, height: 16, viewBox: '0 0 16 16', 'aria-hidden': 'true' }, path));
+            const d = theme === 'dark' ? SUN : MOON;
+            const path = makeSvg('path', {
+                d,
+                fill: 'none',
+                stroke: 'currentColor',
+                'stroke-width': 1.5,
+                'stroke-linecap': 'round',
+                'stroke-linejoin': 'round',
+            });
+            button.replaceChildren(
+                makeSvg('svg', { width: 16, height: 16, viewBox: '0 0 16 16', 'aria-hidden': 'true' }, path),
+            );
             if (!this.player) return;
             this.controls.drawTimeline();
             this.render.heat.draw();
@@ -445,11 +502,23 @@ class Inspector {
         if (isTyping || !this.help.areKeysOn()) return;
         const focus = (id) => () => byId(id).focus();
         const run = {
-            s: () => this.move('into'), b: () => this.move('back'), n: () => this.move('over'), o: () => this.move('out'),
-            g: () => this.move('start'), e: () => this.move('end'), r: () => byId('until').requestSubmit(), u: focus('until-event'),
-            1: focus('stage'), 2: focus('tests-list'), 3: focus('tree-list'), 4: focus('code-lines'), 6: focus('arithmetic'),
+            s: () => this.move('into'),
+            b: () => this.move('back'),
+            n: () => this.move('over'),
+            o: () => this.move('out'),
+            g: () => this.move('start'),
+            e: () => this.move('end'),
+            r: () => byId('until').requestSubmit(),
+            u: focus('until-event'),
+            1: focus('stage'),
+            2: focus('tests-list'),
+            3: focus('tree-list'),
+            4: focus('code-lines'),
+            6: focus('arithmetic'),
             5: () => (this.diagram.kind === '3d' ? this.space.canvas : byId('view-body')).focus(),
-            p: () => byId('predict').click(), d: this.switchTheme, '?': this.help.open,
+            p: () => byId('predict').click(),
+            d: this.switchTheme,
+            '?': this.help.open,
             x: () => this.enlarge(document.activeElement.closest('.pane') ?? byId('view')),
         }[event.key];
         if (!run) return;

@@ -8,7 +8,10 @@ export function variableText(value, digits = 4) {
     if (Array.isArray(value) && value.every((x) => typeof x === 'number')) return briefValue(value, digits);
     if (Array.isArray(value)) return value.map((x) => variableText(x, digits)).join(', ');
     if (value === null) return 'none';
-    if (typeof value === 'object') return Object.entries(value).map(([key, x]) => `${key} ${variableText(x, digits)}`).join('  ');
+    if (typeof value === 'object')
+        return Object.entries(value)
+            .map(([key, x]) => `${key} ${variableText(x, digits)}`)
+            .join('  ');
     if (typeof value === 'number') return briefValue(value, digits + 1);
     return String(value);
 }
@@ -53,7 +56,10 @@ export class CodePane {
             element.classList.remove('current', 'active');
             element.removeAttribute('aria-current');
         }
-        this.active = stack.slice(1).map((frame) => this.lines[frame.line]).filter(Boolean);
+        this.active = stack
+            .slice(1)
+            .map((frame) => this.lines[frame.line])
+            .filter(Boolean);
         for (const element of this.active) element.classList.add('active');
         const current = this.lines[line];
         if (current) {

@@ -32,7 +32,14 @@ export class Controls {
         this.count = byId('step-count');
         this.timeline = byId('timeline');
         for (const [id, shape] of Object.entries(SHAPES)) {
-            const path = makeSvg('path', { d: shape, fill: /z$/.test(shape) ? 'currentColor' : 'none', stroke: 'currentColor', 'stroke-width': 1.6, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' });
+            const path = makeSvg('path', {
+                d: shape,
+                fill: /z$/.test(shape) ? 'currentColor' : 'none',
+                stroke: 'currentColor',
+                'stroke-width': 1.6,
+                'stroke-linecap': 'round',
+                'stroke-linejoin': 'round',
+            });
             byId(id).append(makeSvg('svg', { width: 16, height: 16, viewBox: '0 0 16 16', 'aria-hidden': 'true' }, path));
             byId(id).addEventListener('click', () => onMove(id.slice(3)));
         }

@@ -19,7 +19,9 @@ function sendsRaysOn(ray) {
 function cropToContents(root) {
     if (root.all) return;
     const all = root.viewBox.baseVal;
-    const parts = [...root.children].filter((part) => part.getBBox && !(part.localName === 'rect' && part.width.baseVal.value >= all.width));
+    const parts = [...root.children].filter(
+        (part) => part.getBBox && !(part.localName === 'rect' && part.width.baseVal.value >= all.width),
+    );
     const boxes = parts.map((part) => part.getBBox()).filter((box) => box.width > 0 || box.height > 0);
     root.all = { x: all.x, y: all.y, width: all.width, height: all.height };
     if (!boxes.length) return;
@@ -56,10 +58,14 @@ export class DiagramPane {
     /** Wheel, drag and keys move and enlarge the drawing; a double click shows all of it. */
     listen() {
         let from;
-        this.host.addEventListener('wheel', (event) => {
-            event.preventDefault();
-            this.zoom(Math.exp(event.deltaY * 0.0015), event.clientX, event.clientY);
-        }, { passive: false });
+        this.host.addEventListener(
+            'wheel',
+            (event) => {
+                event.preventDefault();
+                this.zoom(Math.exp(event.deltaY * 0.0015), event.clientX, event.clientY);
+            },
+            { passive: false },
+        );
         this.host.addEventListener('pointerdown', (event) => {
             from = [event.clientX, event.clientY];
         });
@@ -237,7 +243,10 @@ export class DiagramPane {
         const title = root.querySelector('title')?.textContent ?? 'Diagram';
         const words = root.querySelector('desc')?.textContent ?? '';
         root.setAttribute('aria-label', `${title}. ${words}`);
-        this.parts = [...root.querySelectorAll('[data-node]')].map((element) => [element, this.player.byPath.get(element.dataset.node)]);
+        this.parts = [...root.querySelectorAll('[data-node]')].map((element) => [
+            element,
+            this.player.byPath.get(element.dataset.node),
+        ]);
         this.grow();
     }
 

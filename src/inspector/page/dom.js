@@ -101,10 +101,14 @@ export class LongList {
         // Where it is scrolled to and how high it is are remembered: to ask would lay out the page at once.
         this.scrollTop = 0;
         this.viewHeight = 0;
-        host.addEventListener('scroll', () => {
-            this.scrollTop = host.scrollTop;
-            this.place(false);
-        }, { passive: true });
+        host.addEventListener(
+            'scroll',
+            () => {
+                this.scrollTop = host.scrollTop;
+                this.place(false);
+            },
+            { passive: true },
+        );
         new ResizeObserver(([entry]) => {
             this.viewHeight = entry.contentRect.height;
             this.scrollTop = host.scrollTop;
@@ -139,7 +143,8 @@ export class LongList {
         const top = index * this.rowHeight;
         const from = this.scrollTop;
         if (top < from) this.scrollTo(top);
-        else if (this.viewHeight && top + this.rowHeight > from + this.viewHeight) this.scrollTo(top + this.rowHeight - this.viewHeight);
+        else if (this.viewHeight && top + this.rowHeight > from + this.viewHeight)
+            this.scrollTo(top + this.rowHeight - this.viewHeight);
         this.place(false);
     }
 

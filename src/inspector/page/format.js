@@ -13,7 +13,10 @@ export function brief(x, digits = 6) {
         if (text.includes('e')) text = String(Number(text));
         else if (text.includes('.')) text = text.replace(/\.?0+$/, '');
     } else {
-        text = x.toExponential(digits - 1).replace(/\.?0+e/, 'e').replace('e+', 'e');
+        text = x
+            .toExponential(digits - 1)
+            .replace(/\.?0+e/, 'e')
+            .replace('e+', 'e');
     }
     return text.replace(/-/g, '\u2212');
 }

@@ -10,11 +10,29 @@ const TIGHT = 4;
 
 /** Names that have a letter of their own. */
 const LETTERS = {
-    disc: '\u0394', alpha: '\u03b1', beta: '\u03b2', gamma: '\u03b3', theta: '\u03b8', eta: '\u03b7', lambda: '\u03bb', delta: '\u0394',
-    epsilon: '\u03b5', eps: '\u03b5', mu: '\u03bc', radius: 'r', center: 'c', centre: 'c',
+    disc: '\u0394',
+    alpha: '\u03b1',
+    beta: '\u03b2',
+    gamma: '\u03b3',
+    theta: '\u03b8',
+    eta: '\u03b7',
+    lambda: '\u03bb',
+    delta: '\u0394',
+    epsilon: '\u03b5',
+    eps: '\u03b5',
+    mu: '\u03bc',
+    radius: 'r',
+    center: 'c',
+    centre: 'c',
 };
 
-const SIGNS = { '+': ['+', SUM], '-': ['\u2212', SUM], '*': ['\u00b7', PRODUCT], dot: ['\u00b7', PRODUCT], cross: ['\u00d7', PRODUCT] };
+const SIGNS = {
+    '+': ['+', SUM],
+    '-': ['\u2212', SUM],
+    '*': ['\u00b7', PRODUCT],
+    dot: ['\u00b7', PRODUCT],
+    cross: ['\u00d7', PRODUCT],
+};
 
 function operator(sign, about = {}) {
     return makeMath('mo', { text: sign, ...about });
@@ -38,7 +56,10 @@ export function symbol(name, isVector = false) {
     if (product) return makeMath('mrow', {}, letter(product[1], true), operator('\u00b7'), letter(product[2], true));
     const cut = name.indexOf('_');
     if (cut > 0 && cut < name.length - 1) {
-        const below = name.slice(cut + 1).replaceAll('_', ' ').replace(/^-/, '\u2212');
+        const below = name
+            .slice(cut + 1)
+            .replaceAll('_', ' ')
+            .replace(/^-/, '\u2212');
         return makeMath('msub', {}, letter(name.slice(0, cut), isVector), makeMath('mi', { class: 'word', text: below }));
     }
     const numbered = /^([a-z])(\d)$/.exec(name);
@@ -75,7 +96,10 @@ export function valueElement(value, write) {
     return row;
 }
 
-/** Draws an expression; `leaf` says what stands for a name, `component` for one of its components, `write` how a number is written. */
+/**
+ * Draws an expression; `leaf` says what stands for a name, `component` for one of its components, `write` how a number is
+ * written.
+ */
 function drawExpression(expression, needed, leaf, write, component) {
     if (typeof expression === 'string') return leaf(expression, needed);
     if (typeof expression === 'number') {
@@ -111,7 +135,10 @@ function drawExpression(expression, needed, leaf, write, component) {
         case 'x':
         case 'y':
         case 'z':
-            return component(operands[0], name, needed) ?? makeMath('msub', {}, draw(operands[0], TIGHT), makeMath('mi', { text: name }));
+            return (
+                component(operands[0], name, needed) ??
+                makeMath('msub', {}, draw(operands[0], TIGHT), makeMath('mi', { text: name }))
+            );
         case 'if<': {
             const [a, b, yes, no] = operands.map((operand) => draw(operand, 0));
             const words = (text) => makeMath('mtext', { text });
@@ -126,13 +153,20 @@ function drawExpression(expression, needed, leaf, write, component) {
                 if (i) row.append(operator(',', { separator: 'true' }));
                 row.append(draw(operand, 0));
             });
-            return makeMath('mrow', {}, makeMath('mi', { class: 'word', text: name === 'f32' ? 'single' : name }), bracketed(row));
+            return makeMath(
+                'mrow',
+                {},
+                makeMath('mi', { class: 'word', text: name === 'f32' ? 'single' : name }),
+                bracketed(row),
+            );
         }
     }
 }
 
 function sameTree(a, b) {
-    return a === b || (Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((part, i) => sameTree(part, b[i])));
+    return (
+        a === b || (Array.isArray(a) && Array.isArray(b) && a.length === b.length && a.every((part, i) => sameTree(part, b[i])))
+    );
 }
 
 /** One line of a form as up to three pieces: name and symbols, numbers, value. `values` may lack what never came to be. */

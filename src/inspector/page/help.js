@@ -3,12 +3,40 @@
 import { byId, make } from './dom.js';
 
 const KEYS = [
-    ['Stepping', [['s', 'next step'], ['b', 'back one step'], ['n', 'over: next step of this call'], ['o', 'out of this call'],
-        ['g', 'to the start'], ['e', 'to the end'], ['r', 'run until the chosen event'], ['u', 'choose an event']]],
-    ['Panes', [['1', 'picture: arrows choose a pixel'], ['2', 'candidates: arrows choose a test'], ['3', 'ray tree: arrows choose a ray'],
-        ['4', 'pseudocode'], ['5', 'diagram: arrows, + and \u2212 move it; 3D: they turn it'], ['6', 'arithmetic and changes'],
-        ['x', 'enlarge the pane with the focus'], ['Esc', 'back to all panes']]],
-    ['Page', [['p', 'predict, then reveal'], ['d', 'light or dark'], ['?', 'these keys']]],
+    [
+        'Stepping',
+        [
+            ['s', 'next step'],
+            ['b', 'back one step'],
+            ['n', 'over: next step of this call'],
+            ['o', 'out of this call'],
+            ['g', 'to the start'],
+            ['e', 'to the end'],
+            ['r', 'run until the chosen event'],
+            ['u', 'choose an event'],
+        ],
+    ],
+    [
+        'Panes',
+        [
+            ['1', 'picture: arrows choose a pixel'],
+            ['2', 'candidates: arrows choose a test'],
+            ['3', 'ray tree: arrows choose a ray'],
+            ['4', 'pseudocode'],
+            ['5', 'diagram: arrows, + and \u2212 move it; 3D: they turn it'],
+            ['6', 'arithmetic and changes'],
+            ['x', 'enlarge the pane with the focus'],
+            ['Esc', 'back to all panes'],
+        ],
+    ],
+    [
+        'Page',
+        [
+            ['p', 'predict, then reveal'],
+            ['d', 'light or dark'],
+            ['?', 'these keys'],
+        ],
+    ],
 ];
 
 /** Wires the dialog; `areKeysOn()` says whether single keys count. */
@@ -21,8 +49,11 @@ export function wireHelp() {
         for (const [key, words] of keys) list.append(make('kbd', { text: key }), make('span', { text: words }));
     }
     const toggle = make('input', { type: 'checkbox', checked: true });
-    dialog.append(make('div', { class: 'help-head' }, make('h2', { id: 'help-title', text: 'Keys' }), close), list,
-        make('p', { class: 'check' }, make('label', { class: 'check' }, toggle, 'Single keys work anywhere on the page')));
+    dialog.append(
+        make('div', { class: 'help-head' }, make('h2', { id: 'help-title', text: 'Keys' }), close),
+        list,
+        make('p', { class: 'check' }, make('label', { class: 'check' }, toggle, 'Single keys work anywhere on the page')),
+    );
     byId('help-open').addEventListener('click', () => dialog.showModal());
     dialog.addEventListener('click', (event) => {
         if (event.target === dialog) dialog.close();

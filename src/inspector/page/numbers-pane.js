@@ -24,10 +24,21 @@ export class NumbersPane {
         const { ray, path } = this.player.nodes[node];
         const parts = [];
         const record = test === undefined ? undefined : ray.tests?.[test];
-        const where = record ? `Test ${test + 1} of ${ray.tests.length}: ${testName(record)}` : this.player.pseudocode[line]?.procedure ?? '';
-        const head = make('p', { class: 'headline' }, make('strong', { text: where }), make('span', { class: 'where', text: path }));
+        const where = record
+            ? `Test ${test + 1} of ${ray.tests.length}: ${testName(record)}`
+            : (this.player.pseudocode[line]?.procedure ?? '');
+        const head = make(
+            'p',
+            { class: 'headline' },
+            make('strong', { text: where }),
+            make('span', { class: 'where', text: path }),
+        );
         if (verdict) {
-            const sign = make('span', { class: `sign ${verdict.ok ? 'good' : 'bad'}`, text: verdict.ok ? '\u2713' : '\u2715', 'aria-hidden': 'true' });
+            const sign = make('span', {
+                class: `sign ${verdict.ok ? 'good' : 'bad'}`,
+                text: verdict.ok ? '\u2713' : '\u2715',
+                'aria-hidden': 'true',
+            });
             head.append(make('span', { class: 'verdict' }, sign, make('span', { text: verdict.words })));
         }
         parts.push(head);
@@ -51,7 +62,10 @@ export class NumbersPane {
         if (inputs.childElementCount) parts.push(inputs);
         for (const line of form.lines) {
             const isOpen = values[line.name] === undefined;
-            const about = { class: `formula-line${isOpen ? ' open' : ''}`, title: isOpen ? 'not computed: it was decided before' : undefined };
+            const about = {
+                class: `formula-line${isOpen ? ' open' : ''}`,
+                title: isOpen ? 'not computed: it was decided before' : undefined,
+            };
             parts.push(make('div', about, ...drawLine(line, values, options)));
         }
         if (arithmetic.note) parts.push(make('p', { class: 'source', text: arithmetic.note }));

@@ -163,8 +163,10 @@ export class Player {
     valuesAt(step) {
         const { arithmetic, node } = this.steps[step];
         const special = { Infinity, '-Infinity': -Infinity, NaN };
-        const read = (x) => (Array.isArray(x) ? x.map(read) : special[x] ?? x);
-        return Object.fromEntries(Object.entries({ ...this.nodes[node].values, ...arithmetic.values }).map(([name, x]) => [name, read(x)]));
+        const read = (x) => (Array.isArray(x) ? x.map(read) : (special[x] ?? x));
+        return Object.fromEntries(
+            Object.entries({ ...this.nodes[node].values, ...arithmetic.values }).map(([name, x]) => [name, read(x)]),
+        );
     }
 
     /** The next step where an event holds, or -1. */
@@ -182,7 +184,11 @@ export class Player {
             case 'depth':
                 return step.call === 'Trace' && ray.depth === argument;
             case 'weight':
-                return (step.call === 'Reflected' || step.call === 'Refracted') && ray.weight !== undefined && Math.max(...ray.weight) < argument;
+                return (
+                    (step.call === 'Reflected' || step.call === 'Refracted') &&
+                    ray.weight !== undefined &&
+                    Math.max(...ray.weight) < argument
+                );
             case 't':
                 return test?.shape?.verdict === 'best' && test.shape.t < argument;
             case 'object':
@@ -195,7 +201,8 @@ export class Player {
     /** The names of the objects that anything was tested against. */
     objectNames() {
         const names = new Set();
-        for (const { ray } of this.nodes) for (const test of ray.tests ?? []) if (test.shape?.object) names.add(test.shape.object);
+        for (const { ray } of this.nodes)
+            for (const test of ray.tests ?? []) if (test.shape?.object) names.add(test.shape.object);
         return [...names];
     }
 }

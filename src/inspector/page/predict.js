@@ -50,9 +50,19 @@ export class Predictor {
         this.isAnswered = false;
         this.before = document.activeElement;
         this.buttons = question.choices.map((choice, i) =>
-            make('button', { type: 'button', on: { click: () => this.answer(i) } }, make('kbd', { text: String(i + 1), 'aria-hidden': 'true' }), choice));
+            make(
+                'button',
+                { type: 'button', on: { click: () => this.answer(i) } },
+                make('kbd', { text: String(i + 1), 'aria-hidden': 'true' }),
+                choice,
+            ),
+        );
         this.after = make('div', { class: 'after', role: 'status' });
-        this.card.replaceChildren(make('p', { text: question.ask }), make('div', { class: 'choices' }, ...this.buttons), this.after);
+        this.card.replaceChildren(
+            make('p', { text: question.ask }),
+            make('div', { class: 'choices' }, ...this.buttons),
+            this.after,
+        );
         this.card.hidden = false;
         this.buttons[0]?.focus();
     }

@@ -64,7 +64,11 @@ export class RenderPane {
     /** Takes rows of sRGB. */
     rows(y, rows, bytes) {
         const width = this.canvas.width;
-        this.context.putImageData(new ImageData(new Uint8ClampedArray(bytes.buffer, bytes.byteOffset, bytes.length), width, rows), 0, y);
+        this.context.putImageData(
+            new ImageData(new Uint8ClampedArray(bytes.buffer, bytes.byteOffset, bytes.length), width, rows),
+            0,
+            y,
+        );
         cancelAnimationFrame(this.frame);
         this.frame = requestAnimationFrame(() => this.magnify());
     }
@@ -108,7 +112,10 @@ export class RenderPane {
         const [right, bottom] = [Math.min(width, x + half + 1), Math.min(height, y + half + 1)];
         const place = [(left - x + half) * cell, (top - y + half) * cell, (right - left) * cell, (bottom - top) * cell];
         this.magnifier.drawImage(this.canvas, left, top, right - left, bottom - top, ...place);
-        for (const [width, color] of [[3, '#000'], [1.5, '#fff']]) {
+        for (const [width, color] of [
+            [3, '#000'],
+            [1.5, '#fff'],
+        ]) {
             this.magnifier.lineWidth = width;
             this.magnifier.strokeStyle = color;
             this.magnifier.strokeRect(half * cell - 0.5, half * cell - 0.5, cell + 1, cell + 1);
@@ -121,7 +128,10 @@ export class RenderPane {
             const box = this.canvas.getBoundingClientRect();
             const { width, height } = this.scene.image;
             const clamp = (v, most) => Math.max(0, Math.min(most - 1, Math.floor(v)));
-            return [clamp(((event.clientX - box.left) / box.width) * width, width), clamp(((event.clientY - box.top) / box.height) * height, height)];
+            return [
+                clamp(((event.clientX - box.left) / box.width) * width, width),
+                clamp(((event.clientY - box.top) / box.height) * height, height),
+            ];
         };
         let isDown = false;
         this.stage.addEventListener('pointerdown', (event) => {

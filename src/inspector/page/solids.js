@@ -90,10 +90,14 @@ function meshTriangles({ positions, indices }) {
 /** Triangles of one shape. Planes are endless: they get a square of half-width `reach` around `middle`. */
 export function trianglesOf(shape, middle, reach) {
     switch (shape.kind) {
-        case 'sphere': return sphereTriangles(shape);
-        case 'box': return boxTriangles(shape);
-        case 'plane': return planeTriangles(shape, middle, reach);
-        default: return meshTriangles(shape);
+        case 'sphere':
+            return sphereTriangles(shape);
+        case 'box':
+            return boxTriangles(shape);
+        case 'plane':
+            return planeTriangles(shape, middle, reach);
+        default:
+            return meshTriangles(shape);
     }
 }
 

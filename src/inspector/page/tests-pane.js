@@ -3,7 +3,11 @@
 import { byId, LongList, make, setText } from './dom.js';
 import { brief, counted } from './format.js';
 
-const SIGNS_OF = { entered: ['\u2193', '', 'entered'], best: ['\u2713', 'good', 'best so far'], rejected: ['\u2715', 'bad', 'rejected'] };
+const SIGNS_OF = {
+    entered: ['\u2193', '', 'entered'],
+    best: ['\u2713', 'good', 'best so far'],
+    rejected: ['\u2715', 'bad', 'rejected'],
+};
 
 /** What a test was of, in words. */
 export function testName(test) {
@@ -110,7 +114,9 @@ export class TestsPane {
         const row = this.places.get(this.current) ?? (event.key === 'ArrowUp' ? this.rows.length : -1);
         const last = this.rows.length - 1;
         const page = Math.max(1, Math.floor(this.list.viewHeight / 24) - 1);
-        const to = { ArrowDown: row + 1, ArrowUp: row - 1, Home: 0, End: last, PageDown: row + page, PageUp: row - page }[event.key];
+        const to = { ArrowDown: row + 1, ArrowUp: row - 1, Home: 0, End: last, PageDown: row + page, PageUp: row - page }[
+            event.key
+        ];
         if (to === undefined) return;
         event.preventDefault();
         event.stopPropagation();

@@ -11,7 +11,10 @@ function luminance([r, g, b]) {
 
 /** A node's name without what the row says beside it. */
 function shortName(name) {
-    return name.replace(/ at t [^,]*/, '').replace(' ray, hits ', ' \u2192 ').replace(' ray', '');
+    return name
+        .replace(/ at t [^,]*/, '')
+        .replace(' ray, hits ', ' \u2192 ')
+        .replace(' ray', '');
 }
 
 /** The pane. `onNode(index)` hears every node that is chosen. */
@@ -31,7 +34,9 @@ export class TreePane {
         this.player = player;
         // A tree of thousands opens on its first levels.
         const open = player.nodes.length > 3000 ? 5 : Infinity;
-        this.closed = new Set(player.nodes.filter((node) => node.level >= open && node.children.length).map((node) => node.index));
+        this.closed = new Set(
+            player.nodes.filter((node) => node.level >= open && node.children.length).map((node) => node.index),
+        );
         this.total = Math.max(1e-12, ...player.nodes.map((node) => (node.contribution ? luminance(node.contribution) : 0)));
         setText(this.count, counted(player.recording.tree.rays, 'ray'));
         this.list.scrollTo(0);
@@ -120,7 +125,15 @@ export class TreePane {
             more: make('span', { class: 'unseen' }),
         };
         parts.room = make('span', { class: 'share-room' }, parts.bar);
-        element.replaceChildren(parts.twisty, lineSample(node.ray.kind), parts.name, parts.t, parts.weight, parts.room, parts.more);
+        element.replaceChildren(
+            parts.twisty,
+            lineSample(node.ray.kind),
+            parts.name,
+            parts.t,
+            parts.weight,
+            parts.room,
+            parts.more,
+        );
         element.parts = parts;
     }
 
@@ -150,12 +163,24 @@ export class TreePane {
         const isOpen = node.children.length > 0 && !this.closed.has(node.index);
         const page = Math.max(1, Math.floor(this.list.viewHeight / 24) - 1);
         switch (event.key) {
-            case 'ArrowDown': go(row + 1); break;
-            case 'ArrowUp': go(row - 1); break;
-            case 'PageDown': go(Math.min(row + page, this.rows.length - 1)); break;
-            case 'PageUp': go(Math.max(row - page, 0)); break;
-            case 'Home': go(0); break;
-            case 'End': go(this.rows.length - 1); break;
+            case 'ArrowDown':
+                go(row + 1);
+                break;
+            case 'ArrowUp':
+                go(row - 1);
+                break;
+            case 'PageDown':
+                go(Math.min(row + page, this.rows.length - 1));
+                break;
+            case 'PageUp':
+                go(Math.max(row - page, 0));
+                break;
+            case 'Home':
+                go(0);
+                break;
+            case 'End':
+                go(this.rows.length - 1);
+                break;
             case 'ArrowRight':
                 if (!isOpen) this.toggle(node.index, true);
                 else go(row + 1);
@@ -168,8 +193,11 @@ export class TreePane {
                 for (const sibling of this.player.nodes[node.parent]?.children ?? [0]) this.closed.delete(sibling);
                 this.listRows();
                 break;
-            case 'Enter': this.onNode(node.index); break;
-            default: return;
+            case 'Enter':
+                this.onNode(node.index);
+                break;
+            default:
+                return;
         }
         event.preventDefault();
         event.stopPropagation();

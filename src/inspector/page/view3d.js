@@ -5,120 +5,8 @@ import { make } from './dom.js';
 import { counted } from './format.js';
 import { readSpans } from './json-edit.js';
 import { cssColor, DASHES, KINDS, rgbOfHex, srgbBytes } from './palette.js';
+import { LINE_FRAGMENT, LINE_VERTEX, PLATE_FRAGMENT, SOLID_FRAGMENT, SOLID_VERTEX } from './shaders.js';
 import { boundsOf, boxEdges, trianglesOf, vec } from './solids.js';
-
-const SOLID_VERTEX = `#version 300 es
-uniform mat4 toClip;
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-out vec3 place;
-out vec3 across;
-void main() {
-    place = position;
-    across = normal;
-    gl_Position = toClip * vec4(position, 1.0);
-}`;
-
-const SOLID_FRAGMENT = `#version 300 es
-precision highp float;
-uniform vec3 eye;
-uniform vec4 color;
-uniform vec3 second;
-uniform float checkerSize;
-uniform vec3 middle;
-uniform float fadeFrom;
-in vec3 place;
-in vec3 across;
-out vec4 result;
-void main() {
-    vec3 n = normalize(across);
-    vec3 v = normalize(eye - place);
-    float facing = abs(dot(n, v));
-    float light = 0.55 + 0.3 * facing + 0.15 * n.y * sign(dot(n, v));
-    vec3 base = color.rgb;
-    if (checkerSize > 0.0) {
-        vec3 cell = floor((place - n * 1e-3 * checkerSize) / checkerSize);
-        if (mod(cell.x + cell.y + cell.z, 2.0) > 0.5) base = second;
-    }
-    float alpha = color.a;
-    if (alpha < 1.0) alpha = mix(min(1.0, alpha * 3.2), alpha, facing);
-    if (fadeFrom > 0.0) alpha *= 1.0 - smoothstep(fadeFrom * 0.4, fadeFrom, length(place - middle));
-    result = vec4(base * light, alpha);
-}`;
-
-const LINE_VERTEX = `#version 300 es
-uniform mat4 toClip;
-uniform vec2 size;
-layout(location = 0) in vec2 corner;
-layout(location = 1) in vec3 from;
-layout(location = 2) in vec3 to;
-layout(location = 3) in vec4 color;
-layout(location = 4) in vec2 look;
-out vec4 tint;
-out vec2 at;
-flat out float wide;
-flat out float reach;
-flat out int dash;
-void main() {
-    vec4 a = toClip * vec4(from, 1.0);
-    vec4 b = toClip * vec4(to, 1.0);
-    float near = 0.02;
-    if (a.w < near && b.w < near) { gl_Position = vec4(0.0, 0.0, -2.0, 1.0); return; }
-    if (a.w < near) a = mix(a, b, (near - a.w) / (b.w - a.w));
-    if (b.w < near) b = mix(b, a, (near - b.w) / (a.w - b.w));
-    vec2 p = a.xy / a.w * size * 0.5;
-    vec2 q = b.xy / b.w * size * 0.5;
-    vec2 along = q - p;
-    reach = length(along);
-    along = reach > 1e-4 ? along / reach : vec2(1.0, 0.0);
-    wide = look.x;
-    dash = int(look.y);
-    float pad = wide * 0.5 + 1.0;
-    vec2 offset = along * (corner.x * 2.0 - 1.0) * pad + vec2(-along.y, along.x) * corner.y * pad;
-    vec4 end = corner.x < 0.5 ? a : b;
-    at = vec2(corner.x < 0.5 ? -pad : reach + pad, corner.y * pad);
-    tint = color;
-    gl_Position = vec4((end.xy / end.w * size * 0.5 + offset) / (size * 0.5) * end.w, end.z, end.w);
-}`;
-
-const LINE_FRAGMENT = `#version 300 es
-precision highp float;
-uniform vec4 dashes[4];
-uniform float strength;
-in vec4 tint;
-in vec2 at;
-flat in float wide;
-flat in float reach;
-flat in int dash;
-out vec4 result;
-float capsule(float u, float v, float from, float to) {
-    float beyond = max(max(from - u, u - to), 0.0);
-    return length(vec2(beyond, v));
-}
-void main() {
-    float u = at.x;
-    vec4 d = dashes[dash] * wide;
-    float period = d.x + d.y + d.z + d.w;
-    float off;
-    if (period <= 0.0) {
-        off = capsule(u, at.y, 0.0, reach);
-    } else {
-        float m = mod(u, period);
-        off = min(capsule(m, at.y, 0.0, d.x), capsule(m, at.y, period, period + d.x));
-        if (d.z > 0.0) off = min(off, capsule(m, at.y, d.x + d.y, d.x + d.y + d.z));
-        off = max(off, capsule(u, at.y, 0.0, reach));
-    }
-    float cover = 1.0 - smoothstep(wide * 0.5 - 0.6, wide * 0.5 + 0.6, off);
-    if (cover <= 0.0) discard;
-    result = vec4(tint.rgb, tint.a * cover * strength);
-}`;
-
-const PLATE_FRAGMENT = `#version 300 es
-precision highp float;
-uniform sampler2D picture;
-in vec3 across;
-out vec4 result;
-void main() { result = vec4(texture(picture, across.xy).rgb, 0.9); }`;
 
 /** A colour as the diagrams tint what light passes through. */
 function glassy(color) {
@@ -134,7 +22,24 @@ function lookingAt(eye, target, up) {
     const z = vec.unit(vec.sub(eye, target));
     const x = vec.unit(vec.cross(up, z));
     const y = vec.cross(z, x);
-    return [x[0], y[0], z[0], 0, x[1], y[1], z[1], 0, x[2], y[2], z[2], 0, -vec.dot(x, eye), -vec.dot(y, eye), -vec.dot(z, eye), 1];
+    return [
+        x[0],
+        y[0],
+        z[0],
+        0,
+        x[1],
+        y[1],
+        z[1],
+        0,
+        x[2],
+        y[2],
+        z[2],
+        0,
+        -vec.dot(x, eye),
+        -vec.dot(y, eye),
+        -vec.dot(z, eye),
+        1,
+    ];
 }
 
 function productOf(a, b) {
@@ -171,27 +76,48 @@ export class View3d {
 
     bar() {
         const button = (text, label, run, isWide) => {
-            const about = { type: 'button', title: label, 'aria-label': isWide ? undefined : label, class: isWide ? 'wide-button' : '', text };
+            const about = {
+                type: 'button',
+                title: label,
+                'aria-label': isWide ? undefined : label,
+                class: isWide ? 'wide-button' : '',
+                text,
+            };
             return make('button', { ...about, on: { click: run } });
         };
         this.showsBoxes = true;
-        const boxes = button('Boxes', 'Boxes of the hierarchy that this ray visited', () => {
-            this.showsBoxes = !this.showsBoxes;
-            boxes.setAttribute('aria-pressed', String(this.showsBoxes));
-            this.show(this.step, this.node, this.isGrowing);
-        }, true);
+        const boxes = button(
+            'Boxes',
+            'Boxes of the hierarchy that this ray visited',
+            () => {
+                this.showsBoxes = !this.showsBoxes;
+                boxes.setAttribute('aria-pressed', String(this.showsBoxes));
+                this.show(this.step, this.node, this.isGrowing);
+            },
+            true,
+        );
         boxes.setAttribute('aria-pressed', 'true');
         const eye = button('From the eye', 'Look from the eye of the scene', () => this.lookFromEye(), true);
         const reset = button('Reset', 'The whole scene (0)', () => this.reset(), true);
-        return make('div', { class: 'space-bar' }, boxes, eye, reset,
-            button('\u2212', 'Farther (\u2212)', () => this.zoom(1.2)), button('+', 'Nearer (+)', () => this.zoom(1 / 1.2)));
+        return make(
+            'div',
+            { class: 'space-bar' },
+            boxes,
+            eye,
+            reset,
+            button('\u2212', 'Farther (\u2212)', () => this.zoom(1.2)),
+            button('+', 'Nearer (+)', () => this.zoom(1 / 1.2)),
+        );
     }
 
     prepare() {
         const { gl } = this;
         const compiled = (vertex, fragment) => {
             const program = gl.createProgram();
-            for (const [type, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+            for (const [type, source] of [
+                [gl.VERTEX_SHADER, vertex],
+                [gl.FRAGMENT_SHADER, fragment],
+            ]) {
                 const shader = gl.createShader(type);
                 gl.shaderSource(shader, source);
                 gl.compileShader(shader);
@@ -212,7 +138,12 @@ export class View3d {
         gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
         this.lineBuffer = gl.createBuffer();
         gl.bindBuffer(gl.ARRAY_BUFFER, this.lineBuffer);
-        [[1, 3, 0], [2, 3, 12], [3, 4, 24], [4, 2, 40]].forEach(([place, count, offset]) => {
+        [
+            [1, 3, 0],
+            [2, 3, 12],
+            [3, 4, 24],
+            [4, 2, 40],
+        ].forEach(([place, count, offset]) => {
             gl.enableVertexAttribArray(place);
             gl.vertexAttribPointer(place, count, gl.FLOAT, false, 48, offset);
             gl.vertexAttribDivisor(place, 1);
@@ -228,7 +159,10 @@ export class View3d {
         gl.bindVertexArray(array);
         gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
         gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
-        for (const [place, offset] of [[0, 0], [1, 12]]) {
+        for (const [place, offset] of [
+            [0, 0],
+            [1, 12],
+        ]) {
             gl.enableVertexAttribArray(place);
             gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 24, offset);
         }
@@ -266,7 +200,12 @@ export class View3d {
         });
         this.plateAway = Math.min(0.35 * vec.length(vec.sub(eye, this.middle)) || 1, this.radius * 1.2);
         this.plateCorners = corners.map((corner) => vec.add(eye, vec.times(vec.sub(corner, eye), this.plateAway)));
-        const at = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]];
+        const at = [
+            [0, 0, 0],
+            [1, 0, 0],
+            [1, 1, 0],
+            [0, 1, 0],
+        ];
         const plate = [0, 1, 2, 0, 2, 3].flatMap((i) => [...this.plateCorners[i], ...at[i]]);
         if (this.plate) gl.deleteVertexArray(this.plate.array);
         this.plate = this.arrayOf(new Float32Array(plate));
@@ -329,7 +268,11 @@ export class View3d {
     }
 
     axes() {
-        const back = [Math.cos(this.pitch) * Math.sin(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch) * Math.cos(this.yaw)];
+        const back = [
+            Math.cos(this.pitch) * Math.sin(this.yaw),
+            Math.sin(this.pitch),
+            Math.cos(this.pitch) * Math.cos(this.yaw),
+        ];
         const right = vec.unit(vec.cross([0, 1, 0], back));
         return { back, right, up: vec.cross(back, right) };
     }
@@ -367,10 +310,14 @@ export class View3d {
             });
         }
         this.canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-        this.canvas.addEventListener('wheel', (event) => {
-            event.preventDefault();
-            this.zoom(Math.exp(event.deltaY * 0.001));
-        }, { passive: false });
+        this.canvas.addEventListener(
+            'wheel',
+            (event) => {
+                event.preventDefault();
+                this.zoom(Math.exp(event.deltaY * 0.001));
+            },
+            { passive: false },
+        );
         this.canvas.addEventListener('keydown', (event) => this.pressed(event));
     }
 
@@ -407,7 +354,10 @@ export class View3d {
             const isDecided = !isGrowing || this.player.isDecided(index, step);
             const scale = 1 / (vec.length(ray.direction) || 1);
             const end = ray.t_max ?? endless * scale;
-            const t = Math.min(isDecided ? ray.hit?.t ?? end : this.player.bestSoFar(index, step) ?? end, endless * scale * 4);
+            const t = Math.min(
+                isDecided ? (ray.hit?.t ?? end) : (this.player.bestSoFar(index, step) ?? end),
+                endless * scale * 4,
+            );
             const to = vec.add(ray.origin, vec.times(ray.direction, t));
             const isChosen = index === node;
             const color = rgbOfHex(cssColor(ray.kind));
@@ -419,8 +369,10 @@ export class View3d {
         });
         if (this.showsBoxes) this.addBoxes();
         const tests = this.player.nodes[node].ray.tests?.length ?? 0;
-        const words = `${counted(this.description.objects.length, 'object')}, ${shown} of ${counted(this.player.nodes.length, 'ray')} shown, `
-            + `${counted(tests, 'test')} of the chosen ray. Arrow keys turn, with Shift move, plus and minus zoom, 0 shows all.`;
+        const objects = counted(this.description.objects.length, 'object');
+        const words =
+            `${objects}, ${shown} of ${counted(this.player.nodes.length, 'ray')} shown, ` +
+            `${counted(tests, 'test')} of the chosen ray. Arrow keys turn, with Shift move, plus and minus zoom, 0 shows all.`;
         this.canvas.setAttribute('aria-label', `The scene in three dimensions: ${words}`);
         this.redraw();
     }
@@ -452,7 +404,11 @@ export class View3d {
         for (const { position } of this.description.lights) {
             if (!position) continue;
             const size = this.radius * 0.06;
-            for (const way of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
+            for (const way of [
+                [1, 0, 0],
+                [0, 1, 0],
+                [0, 0, 1],
+            ]) {
                 this.line(vec.sub(position, vec.times(way, size)), vec.add(position, vec.times(way, size)), amber, 2);
             }
         }
@@ -482,7 +438,9 @@ export class View3d {
 
     draw() {
         const { gl, canvas } = this;
-        const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) => Math.max(1, Math.round(x * devicePixelRatio)));
+        const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((x) =>
+            Math.max(1, Math.round(x * devicePixelRatio)),
+        );
         if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
         const { back } = this.axes();
         const eye = vec.add(this.target, vec.times(back, this.distance));
@@ -558,12 +516,18 @@ export class View3d {
         const m = this.toClip;
         const clip = [0, 1, 2, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r]);
         if (clip[3] < 1e-3) return undefined;
-        return [(clip[0] / clip[3] + 1) * 0.5 * this.canvas.clientWidth, (1 - clip[1] / clip[3]) * 0.5 * this.canvas.clientHeight];
+        return [
+            (clip[0] / clip[3] + 1) * 0.5 * this.canvas.clientWidth,
+            (1 - clip[1] / clip[3]) * 0.5 * this.canvas.clientHeight,
+        ];
     }
 
     placeLabels() {
         const { camera, lights } = this.description;
-        const wanted = [['eye', camera.eye], ...lights.filter((light) => light.position).map((light) => [light.name, light.position])];
+        const wanted = [
+            ['eye', camera.eye],
+            ...lights.filter((light) => light.position).map((light) => [light.name, light.position]),
+        ];
         while (this.labels.children.length > wanted.length) this.labels.lastChild.remove();
         while (this.labels.children.length < wanted.length) this.labels.append(make('span', { class: 'space-label' }));
         wanted.forEach(([text, place], i) => {

@@ -9,7 +9,11 @@ import { boundsOf, vec } from './solids.js';
 /** Where a shape stands: paths of vectors that move together, or of one number. */
 function placesOf(shape) {
     if (shape?.sphere) return [['sphere', 'center']];
-    if (shape?.box) return [['box', 'min'], ['box', 'max']];
+    if (shape?.box)
+        return [
+            ['box', 'min'],
+            ['box', 'max'],
+        ];
     if (shape?.triangle) return [0, 1, 2].map((i) => ['triangle', 'vertices', i]);
     if (shape?.mesh) return [['mesh', 'transform', 'translate']];
     return [];
@@ -160,34 +164,63 @@ export class WhatIf {
         };
         const name = (text) => make('span', { class: 'knob-name', text });
         const select = (key, label, run) => {
-            const element = make('select', { 'aria-label': label, id: `knob-${key}`, on: { change: () => run(element.value) } });
+            const element = make('select', {
+                'aria-label': label,
+                id: `knob-${key}`,
+                on: { change: () => run(element.value) },
+            });
             this.rows[key] = { select: element };
             return element;
         };
         const setting = (key, values) => {
-            const element = select(key, key, (value) => this.change({ ...this.now, settings: { ...this.now.settings, [key]: value } }, key));
+            const element = select(key, key, (value) =>
+                this.change({ ...this.now, settings: { ...this.now.settings, [key]: value } }, key),
+            );
             element.append(...values.map((value) => make('option', { value, text: value })));
             return element;
         };
         const blank = () => make('span');
-        grid.append(name('tracing'), make('span', { class: 'whole' },
-            make('label', {}, 'numerics ', setting('numerics', ['lecture', 'robust', 'certified'])),
-            make('label', {}, 'precision ', setting('precision', ['f32', 'f64']))));
-        grid.append(name('max_depth'), blank(), ...pair('max_depth', 'max_depth', '', { min: 0, max: 12, step: 1 }, (value) => {
-            const depth = Math.max(0, Math.min(64, Math.round(value)));
-            this.change({ ...this.now, settings: { ...this.now.settings, max_depth: depth } }, 'max_depth');
-        }));
-        grid.append(name('index of refraction'), select('material', 'Material', (value) => this.pickPart('material', value)));
-        grid.append(...pair('ior', 'index of refraction', '', { min: 1, max: 3, step: 0.01 }, (value) => {
-            this.edit(['materials', this.picked.material, 'ior'], Math.max(1e-3, value), 'ior');
-        }));
-        for (const [key, label] of [['light', 'light'], ['object', 'object']]) {
+        grid.append(
+            name('tracing'),
+            make(
+                'span',
+                { class: 'whole' },
+                make('label', {}, 'numerics ', setting('numerics', ['lecture', 'robust', 'certified'])),
+                make('label', {}, 'precision ', setting('precision', ['f32', 'f64'])),
+            ),
+        );
+        grid.append(
+            name('max_depth'),
+            blank(),
+            ...pair('max_depth', 'max_depth', '', { min: 0, max: 12, step: 1 }, (value) => {
+                const depth = Math.max(0, Math.min(64, Math.round(value)));
+                this.change({ ...this.now, settings: { ...this.now.settings, max_depth: depth } }, 'max_depth');
+            }),
+        );
+        grid.append(
+            name('index of refraction'),
+            select('material', 'Material', (value) => this.pickPart('material', value)),
+        );
+        grid.append(
+            ...pair('ior', 'index of refraction', '', { min: 1, max: 3, step: 0.01 }, (value) => {
+                this.edit(['materials', this.picked.material, 'ior'], Math.max(1e-3, value), 'ior');
+            }),
+        );
+        for (const [key, label] of [
+            ['light', 'light'],
+            ['object', 'object'],
+        ]) {
             const triple = make('div', { class: 'triple' });
             const pairs = ['x', 'y', 'z'].map((axis, k) =>
-                pair(`${key}-${axis}`, label, axis, { min: -10, max: 10, step: 0.01 }, (value) => this.move(key, k, value)));
+                pair(`${key}-${axis}`, label, axis, { min: -10, max: 10, step: 0.01 }, (value) => this.move(key, k, value)),
+            );
             pairs.forEach(([, number], k) => triple.append(make('label', {}, 'xyz'[k], number)));
             pairs.forEach(([range]) => triple.append(range));
-            grid.append(name(label), select(key, label, (value) => this.pickPart(key, value)), triple);
+            grid.append(
+                name(label),
+                select(key, label, (value) => this.pickPart(key, value)),
+                triple,
+            );
         }
         this.outcome = make('div', { class: 'outcome' });
         byId('whatif').append(grid, this.outcome);
@@ -259,20 +292,30 @@ export class WhatIf {
                 select.dataset.entries = wanted;
                 select.replaceChildren(...entries.map(([value, text]) => make('option', { value, text })));
             }
-            if (!entries.some(([value]) => String(value) === this.picked[key])) this.picked[key] = String(entries[0]?.[0] ?? '');
+            if (!entries.some(([value]) => String(value) === this.picked[key]))
+                this.picked[key] = String(entries[0]?.[0] ?? '');
             select.value = this.picked[key];
             select.disabled = entries.length === 0;
         };
         const materials = Object.entries(file.materials ?? {}).filter(([, material]) => material.ior !== undefined);
-        options('material', materials.map(([name]) => [name, name]));
-        options('light', (file.lights ?? []).map((light, i) => [i, light.name ?? `light ${i}`]));
-        options('object', (file.objects ?? []).map((object, i) => [i, object.name ?? `object ${i}`]));
+        options(
+            'material',
+            materials.map(([name]) => [name, name]),
+        );
+        options(
+            'light',
+            (file.lights ?? []).map((light, i) => [i, light.name ?? `light ${i}`]),
+        );
+        options(
+            'object',
+            (file.objects ?? []).map((object, i) => [i, object.name ?? `object ${i}`]),
+        );
         this.setPair('ior', file.materials?.[this.picked.material]?.ior);
         if (!this.ranges) this.setRanges();
         for (const key of ['light', 'object']) {
             const plane = key === 'object' && this.planePath();
             const paths = this.pathsOf(key);
-            const vector = paths.length ? partAt(this.spans, paths[0])?.value ?? [0, 0, 0] : [];
+            const vector = paths.length ? (partAt(this.spans, paths[0])?.value ?? [0, 0, 0]) : [];
             ['x', 'y', 'z'].forEach((axis, k) => {
                 this.setPair(`${key}-${axis}`, plane ? (k === 1 ? partAt(this.spans, plane)?.value : undefined) : vector[k]);
             });
@@ -289,7 +332,9 @@ export class WhatIf {
         for (const key of ['light', 'object']) {
             const paths = this.pathsOf(key);
             const plane = key === 'object' && this.planePath();
-            const at = plane ? Array(3).fill(partAt(this.spans, plane)?.value ?? 0) : partAt(this.spans, paths[0] ?? ['none'])?.value ?? [0, 0, 0];
+            const at = plane
+                ? Array(3).fill(partAt(this.spans, plane)?.value ?? 0)
+                : (partAt(this.spans, paths[0] ?? ['none'])?.value ?? [0, 0, 0]);
             ['x', 'y', 'z'].forEach((axis, k) => {
                 const { range } = this.rows[`${key}-${axis}`];
                 range.step = fine;
@@ -323,16 +368,27 @@ export class WhatIf {
             this.outcome.replaceChildren(make('p', { class: 'quiet', text: words }));
             return;
         }
-        const { colors: [before, after], divergences } = difference;
+        const {
+            colors: [before, after],
+            divergences,
+        } = difference;
         const patch = (color) => {
             const element = make('span', { class: 'patch', title: colorText(color) });
             element.style.background = cssOfLinear(color);
             return element;
         };
         const words = divergences.length === 0 ? 'the same tree' : counted(divergences.length, 'difference');
-        this.summary.replaceChildren(patch(before), make('span', { text: '\u2192', 'aria-label': 'becomes' }), patch(after), make('span', { text: words }));
+        this.summary.replaceChildren(
+            patch(before),
+            make('span', { text: '\u2192', 'aria-label': 'becomes' }),
+            patch(after),
+            make('span', { text: words }),
+        );
         const most = Math.max(...after.map((c, k) => Math.abs(c - before[k])));
-        const color = most === 0 ? 'The colour stays the same.' : `The colour changes by ${brief(most, 3)} at most, to ${colorText(after)}.`;
+        const color =
+            most === 0
+                ? 'The colour stays the same.'
+                : `The colour changes by ${brief(most, 3)} at most, to ${colorText(after)}.`;
         const listed = (all) => {
             const list = make('ul', {}, ...all.slice(0, 60).map((one) => this.divergence(one, player)));
             if (all.length > 60) list.append(make('li', { class: 'quiet', text: `and ${all.length - 60} more` }));
@@ -342,14 +398,24 @@ export class WhatIf {
         this.outcome.replaceChildren(make('p', { text: color }), listed(divergences.filter((one) => !one.consequence)));
         if (!followers.length) return;
         const isOpen = this.showsFollowers;
-        const rest = make('details', { open: isOpen }, make('summary', { text: `${followers.length} more that follow from these` }), listed(followers));
+        const rest = make(
+            'details',
+            { open: isOpen },
+            make('summary', { text: `${followers.length} more that follow from these` }),
+            listed(followers),
+        );
         rest.addEventListener('toggle', () => (this.showsFollowers = rest.open));
         this.outcome.append(rest);
     }
 
     divergence({ path, kind, field, light, a, b }, player) {
         const index = player.byPath.get(path);
-        const go = make('button', { type: 'button', text: path, title: `${kind} ray`, on: { click: () => this.onNode(index) } });
+        const go = make('button', {
+            type: 'button',
+            text: path,
+            title: `${kind} ray`,
+            on: { click: () => this.onNode(index) },
+        });
         go.disabled = index === undefined;
         const show = (value) => {
             if (value === undefined) return 'nothing';
@@ -364,8 +430,14 @@ export class WhatIf {
 
     makeEditor() {
         this.area = make('textarea', {
-            spellcheck: 'false', autocapitalize: 'off', autocomplete: 'off', wrap: 'off', 'aria-label': 'The text of the scene',
-            'aria-describedby': 'scene-problem', id: 'scene-area', readonly: !this.canTrace,
+            spellcheck: 'false',
+            autocapitalize: 'off',
+            autocomplete: 'off',
+            wrap: 'off',
+            'aria-label': 'The text of the scene',
+            'aria-describedby': 'scene-problem',
+            id: 'scene-area',
+            readonly: !this.canTrace,
         });
         this.shadow = make('pre', { 'aria-hidden': 'true' });
         this.problem = make('div', { class: 'problem', id: 'scene-problem', role: 'status' });
@@ -423,7 +495,10 @@ export class WhatIf {
         }
         const place = problem.line === undefined ? '' : `line ${problem.line}, column ${problem.column}: `;
         const go = make('button', { type: 'button', text: 'Show', on: { click: () => this.goToProblem() } });
-        this.problem.replaceChildren(make('strong', { text: `${place}${problem.message}` }), make('div', { text: problem.help ?? '' }));
+        this.problem.replaceChildren(
+            make('strong', { text: `${place}${problem.message}` }),
+            make('div', { text: problem.help ?? '' }),
+        );
         if (problem.line !== undefined) this.problem.firstChild.after(' ', go);
     }
 
