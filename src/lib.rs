@@ -17,8 +17,8 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], [`steps`], [`faults`], `pictures`, `accuracy`, `inspector`, `commands`. `ARCHITECTURE.md` has
-//! the map.
+//! [`hits`], [`transport`], [`tree`], [`steps`], [`faults`], `pictures`, `accuracy`, `inspector`, `commands`.
+//! `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 

@@ -4,9 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use raytree::inspector::PANE;
 use raytree::numbers::Stage;
-use raytree::pictures::diagrams::{Chosen, Input, Kind, diagram};
+use raytree::pictures::diagrams::{Chosen, Kind, diagram};
 use raytree::pictures::theme::Theme;
 use raytree::pictures::{render, srgb8};
 use raytree::scene::{Loaded, Shape, load_file};
@@ -17,7 +16,7 @@ use raytree::tree::{Cost, Keep, NodePath, Outcome};
 use serde_json::{Value, json};
 
 use super::client::Answer;
-use super::{NO_SETTINGS, Site};
+use super::{NO_SETTINGS, Site, input};
 use crate::support::{grid, tracer, tree};
 
 /// The four bytes of each pixel in an answer of bands.
@@ -184,12 +183,8 @@ fn recordings_and_diagrams_are_those_of_the_library() {
                 for kind in Kind::ALL {
                     for (theme, colors) in [("light", &Theme::LIGHT), ("dark", &Theme::DARK)] {
                         for chosen in [None, chosen] {
-                            let input = Input::new(&loaded.scene, &tree, path.clone()).unwrap();
+                            let input = input(&loaded.scene, &tree, path.clone(), kind);
                             let input = chosen.map_or(input.clone(), |chosen| input.about(chosen));
-                            let input = match kind.is_of_the_whole_tree() {
-                                true => input,
-                                false => input.on_page(PANE.x, PANE.y),
-                            };
                             let place = path.to_string().replace('[', "%5B").replace(']', "%5D");
                             let about = chosen.map_or(String::new(), |Chosen { shape, primitive }| {
                                 let primitive = primitive.map_or(String::new(), |p| format!("&primitive={p}"));

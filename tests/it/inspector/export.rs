@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use raytree::inspector::{Inspector, Kept, Settings};
-use raytree::pictures::diagrams::{Input, Kind, diagram};
+use raytree::pictures::diagrams::{Kind, diagram};
 use raytree::pictures::theme::Theme;
 use raytree::pictures::{Format, render};
 use raytree::scene::load_file;
@@ -16,7 +16,7 @@ use raytree::tree::Keep;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use super::Site;
+use super::{Site, input};
 use crate::commands::{bad, good};
 use crate::support::{tracer, tree};
 
@@ -114,7 +114,7 @@ fn what_a_page_keeps_is_what_the_library_gives() {
                 if kind.is_of_the_whole_tree() && node.parent.is_some() {
                     continue;
                 }
-                let input = Input::new(&loaded.scene, &tree, node.path.clone()).unwrap();
+                let input = input(&loaded.scene, &tree, node.path.clone(), kind);
                 let path = node.path.to_string().replace('[', "%5B").replace(']', "%5D");
                 for (name, theme) in [("light", &Theme::LIGHT), ("dark", &Theme::DARK)] {
                     let Ok(drawing) = diagram(kind, &input, theme) else { continue };

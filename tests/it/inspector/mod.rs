@@ -15,7 +15,16 @@ use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use client::Answer;
-use raytree::inspector::{Inspector, Limits, Settings, serve};
+use raytree::inspector::{Inspector, Limits, PANE, Settings, serve};
+use raytree::pictures::diagrams::{Input, Kind};
+use raytree::scene::Scene;
+use raytree::tree::{NodePath, RayTree};
+
+/// The input of a diagram of a node, as the page has it.
+fn input<'a>(scene: &'a Scene, tree: &'a RayTree, path: NodePath, kind: Kind) -> Input<'a> {
+    let input = Input::new(scene, tree, path).unwrap();
+    if kind.is_of_the_whole_tree() { input } else { input.on_page(PANE.x, PANE.y) }
+}
 
 /// A server that ends with the test.
 struct Site {
