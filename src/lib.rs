@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `commands`. `ARCHITECTURE.md` has the map.
+//! [`hits`], [`transport`], [`tree`], `pictures`, `accuracy`, `lessons`, `commands`. `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
 
@@ -39,3 +39,5 @@ pub mod pictures;
 pub mod accuracy;
 #[cfg(feature = "cli")]
 pub mod commands;
+#[cfg(feature = "lessons")]
+pub mod lessons;

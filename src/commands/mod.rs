@@ -8,6 +8,7 @@ mod effects;
 mod failure;
 mod files;
 mod gallery;
+pub mod lesson;
 mod options;
 mod output;
 mod picture;
