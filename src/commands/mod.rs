@@ -18,6 +18,7 @@ mod ray;
 mod render;
 mod schema;
 mod sheet;
+mod typeset;
 
 use std::ffi::OsString;
 
@@ -55,6 +56,7 @@ enum Command {
     Accuracy(accuracy::Args),
     Check(check::Args),
     Schema(schema::Args),
+    Typeset(typeset::Args),
     Completions(completions::Args),
 }
 
@@ -83,6 +85,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Typeset(args) => typeset::run(&args),
         Command::Completions(args) => completions::run(&args),
     };
     match done {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::TOLERANCE;
-use super::task::{Checked, Stage};
+use super::task::{Checked, Fault, Stage};
 use crate::pictures::drawing::Drawing;
 
 /// A lesson with a student's functions.
@@ -131,6 +131,13 @@ pub struct Mistake {
     pub why: String,
 }
 
+impl Mistake {
+    /// What there is to say of a fault.
+    pub(super) fn of<C>(fault: &Fault<C>) -> Self {
+        Mistake { id: fault.id.to_owned(), name: fault.name.to_owned(), why: fault.why.to_owned() }
+    }
+}
+
 impl Lesson {
     /// Runs every stage. Returns what came of it, and the picture of the first failing case; where all is right, of the last
     /// stage's first.
@@ -222,7 +229,8 @@ impl Report {
 }
 
 impl Failure {
-    fn to_text(&self, function: &str, cases: usize) -> String {
+    /// The failure for a reader.
+    pub fn to_text(&self, function: &str, cases: usize) -> String {
         let unnamed = Broken { message: String::new(), place: String::new() };
         let broken = self.broken.as_ref().unwrap_or(&unnamed);
         if self.kind == FailureKind::Unwritten {

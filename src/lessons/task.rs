@@ -86,6 +86,7 @@ pub struct Stage {
     pub mistakes: Vec<Mistake>,
     run: Box<dyn Fn() -> Checked>,
     show: Box<dyn Fn(&str) -> Option<Drawing>>,
+    plant: Box<dyn Fn(&str) -> Option<Checked>>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -98,6 +99,11 @@ impl Stage {
     /// Runs the student's function on the cases, up to the first that fails.
     pub fn run(&self) -> Checked {
         (self.run)()
+    }
+
+    /// What a student sees whose function makes the known mistake with this name; nothing where there is none.
+    pub fn with_mistake(&self, id: &str) -> Option<Checked> {
+        (self.plant)(id)
     }
 
     /// The picture of a case with the right answer alone; nothing where no case has this name.
@@ -118,13 +124,8 @@ pub struct Checked {
 impl<C: 'static> Task<C> {
     /// The task with a student's function.
     pub fn stage(self, student: impl Fn(&C) -> Answer + 'static) -> Stage {
-        let mistake = |fault: &Fault<C>| Mistake {
-            id: fault.id.to_owned(),
-            name: fault.name.to_owned(),
-            why: fault.why.to_owned(),
-        };
         let task = std::rc::Rc::new(self);
-        let shown = task.clone();
+        let (shown, planted) = (task.clone(), task.clone());
         Stage {
             name: task.name,
             function: task.function,
@@ -132,12 +133,16 @@ impl<C: 'static> Task<C> {
             after: task.after,
             hints: task.hints,
             cases: task.cases.len(),
-            mistakes: task.faults.iter().map(mistake).collect(),
+            mistakes: task.faults.iter().map(Mistake::of).collect(),
             run: Box::new(move || task.check(&student)),
             show: Box::new(move |name| {
                 let case = shown.cases.iter().find(|case| case.name == name)?;
                 let truth = |input: &C| Some((shown.truth)(input));
                 Some((shown.picture)(&case.input, &shown.shown(case, None, None), &truth))
+            }),
+            plant: Box::new(move |id| {
+                let fault = planted.faults.iter().find(|fault| fault.id == id)?;
+                Some(planted.check(&fault.answer))
             }),
         }
     }
@@ -213,11 +218,7 @@ impl<C: 'static> Task<C> {
             expected,
             got: (kind == FailureKind::Wrong).then_some(got),
             broken,
-            mistake: fault.map(|fault| Mistake {
-                id: fault.id.to_owned(),
-                name: fault.name.to_owned(),
-                why: fault.why.to_owned(),
-            }),
+            mistake: fault.map(Mistake::of),
         }
     }
 }

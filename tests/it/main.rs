@@ -12,6 +12,7 @@ mod fuzz;
 mod hard_rows;
 mod kernels;
 mod ledger;
+mod lessons;
 mod media;
 mod mesh;
 mod pages;
