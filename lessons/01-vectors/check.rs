@@ -84,13 +84,15 @@ fn dot() -> Task<Pair> {
         Fault {
             id: "dot-of-lengths",
             name: "the lengths are multiplied, without the angle between the vectors",
-            why: "|a| |b| is a . b only where both point the same way; otherwise the cosine of the angle belongs to it.",
+            why: "|a| |b| is a . b only where both point the same way; otherwise the cosine of the angle belongs \
+                  to it.",
             answer: |[a, b]| Answer::of("a . b", a.length() * b.length()),
         },
         Fault {
             id: "dot-sum-of-sums",
             name: "the components are added before they are multiplied",
-            why: "Each component of a meets only the same component of b; the three products are added, nothing else.",
+            why: "Each component of a meets only the same component of b; the three products are added, nothing \
+                  else.",
             answer: |[a, b]| Answer::of("a . b", a.element_sum() * b.element_sum()),
         },
         Fault {
@@ -128,7 +130,8 @@ fn length() -> Task<DVec3> {
         Fault {
             id: "length-by-sum",
             name: "the components are added up without squares",
-            why: "That is the way along the axes, around the corners; the straight way is the root of the sum of squares.",
+            why: "That is the way along the axes, around the corners; the straight way is the root of the sum of \
+                  squares.",
             answer: |a| Answer::of("length", a.abs().element_sum()),
         },
         Fault {
@@ -166,7 +169,8 @@ fn normalize() -> Task<DVec3> {
         Fault {
             id: "normalized-by-square",
             name: "it is divided by the square of the length",
-            why: "dot(a, a) is the length times itself. Divide by its root, or long vectors come out too short and short ones too long.",
+            why: "dot(a, a) is the length times itself. Divide by its root, or long vectors come out too short \
+                  and short ones too long.",
             answer: |a| Answer::of("n", *a / a.length_squared()),
         },
         Fault {
@@ -204,13 +208,15 @@ fn project() -> Task<Pair> {
         Fault {
             id: "projection-undivided",
             name: "(a . b) b is not divided by b . b",
-            why: "The formula (a . b) b holds for a b of length 1. For others b comes in twice, so its length has to go out twice.",
+            why: "The formula (a . b) b holds for a b of length 1. For others b comes in twice, so its length \
+                  has to go out twice.",
             answer: |[a, b]| Answer::of("p", a.dot(*b) * *b),
         },
         Fault {
             id: "projection-divided-once",
             name: "it is divided by the length of b once, not twice",
-            why: "(a . b) / |b| is how long the shadow is; to point along b it has to be multiplied by b / |b|, not by b.",
+            why: "(a . b) / |b| is how long the shadow is; to point along b it has to be multiplied by b / |b|, \
+                  not by b.",
             answer: |[a, b]| Answer::of("p", a.dot(*b) / b.length() * *b),
         },
         Fault {
@@ -243,7 +249,8 @@ fn project() -> Task<Pair> {
         faults: FAULTS,
         picture: |[a, b], what, _| pictures::projection(*a, *b, what),
         hints: &[
-            "The result is a multiple of b. Which one? Look at a = (2, 3, 0) and b = (4, 0, 0): the shadow is (2, 0, 0), half of b.",
+            "The result is a multiple of b. Which one? Look at a = (2, 3, 0) and b = (4, 0, 0): the shadow is \
+             (2, 0, 0), half of b.",
             "If b had length 1 it would be dot(a, b) * b. Put b / |b| for b, twice.",
             "dot(a, b) / dot(b, b) * b",
         ],
@@ -255,13 +262,15 @@ fn cross() -> Task<Pair> {
         Fault {
             id: "cross-reversed",
             name: "the sign is wrong: this is b x a",
-            why: "The diagonals down count plus and those up minus. Turned around, the vector points to the other side.",
+            why: "The diagonals down count plus and those up minus. Turned around, the vector points to the \
+                  other side.",
             answer: |[a, b]| Answer::of("a x b", b.cross(*a)),
         },
         Fault {
             id: "cross-middle-sign",
             name: "the sign of the y component is wrong",
-            why: "In Sarrus's scheme the diagonal of e_y begins in the second column: a_z b_x comes first, a_x b_z is taken away.",
+            why: "In Sarrus's scheme the diagonal of e_y begins in the second column: a_z b_x comes first, a_x \
+                  b_z is taken away.",
             answer: |[a, b]| Answer::of("a x b", a.cross(*b) * dvec3(1.0, -1.0, 1.0)),
         },
         Fault {
@@ -308,8 +317,10 @@ fn cross() -> Task<Pair> {
         faults: FAULTS,
         picture: |[a, b], what, _| pictures::cross_product(*a, *b, what),
         hints: &[
-            "Write the scheme on paper: e_x e_y e_z in the first row, a below, b below that, and the first two columns once more.",
-            "The x component: the diagonal down from e_x is a_y b_z, the one up to e_x is a_z b_y. Plus the first, minus the second.",
+            "Write the scheme on paper: e_x e_y e_z in the first row, a below, b below that, and the first two \
+             columns once more.",
+            "The x component: the diagonal down from e_x is a_y b_z, the one up to e_x is a_z b_y. Plus the \
+             first, minus the second.",
             "DVec3::new(a.y * b.z - a.z * b.y, ..., ...): the other two follow by moving x to y to z to x.",
         ],
     }

@@ -67,7 +67,8 @@ fn plane_from() -> Task<[DVec3; 2]> {
         Fault {
             id: "normal-not-unit",
             name: "the normal does not have length 1",
-            why: "The points are right, but p . n - D is then no distance: it is too large by the length of the normal.",
+            why: "The points are right, but p . n - D is then no distance: it is too large by the length of the \
+                  normal.",
             answer: |[p, n]| hesse(Plane { normal: *n, distance: p.dot(*n) }),
         },
         Fault {
@@ -244,13 +245,15 @@ fn hits() -> Task<(Ray, Plane)> {
         Fault {
             id: "plane-undivided",
             name: "it is not divided by d . n",
-            why: "D - o . n is how far the plane is away straight down the normal; the ray goes there at a slant, d . n a step.",
+            why: "D - o . n is how far the plane is away straight down the normal; the ray goes there at a \
+                  slant, d . n a step.",
             answer: |(ray, plane)| not_behind(plane.distance - plane.normal.dot(ray.origin)),
         },
         Fault {
             id: "plane-t-in-lengths",
             name: "t is measured in lengths, not in steps of d",
-            why: "The point is o + t d with the d that is given. Made a unit vector before, it needs another t for the same point.",
+            why: "The point is o + t d with the d that is given. Made a unit vector before, it needs another t \
+                  for the same point.",
             answer: |case| not_behind(t_of(case) * case.0.direction.length()),
         },
         Fault {
@@ -262,8 +265,8 @@ fn hits() -> Task<(Ray, Plane)> {
         Fault {
             id: "ray-without-start",
             name: "t = 0 is turned down",
-            why: "A ray begins at its origin: t = 0 belongs to it. (That a reflected ray must not meet the surface it has just left \
-                  is another question, which comes with shadows.)",
+            why: "A ray begins at its origin: t = 0 belongs to it. (That a reflected ray must not meet the \
+                  surface it has just left is another question, which comes with shadows.)",
             answer: |case| hit(Some(t_of(case)).filter(|t| *t > 0.0)),
         },
     ];
@@ -288,7 +291,8 @@ fn hits() -> Task<(Ray, Plane)> {
         faults: FAULTS,
         picture: |(ray, plane), what, _| pictures::plane_hit(ray, plane, what),
         hints: &[
-            "Put p = o + t d into p . n - D = 0. The scalar product may be taken apart: (o + t d) . n = o . n + t (d . n).",
+            "Put p = o + t d into p . n - D = 0. The scalar product may be taken apart: (o + t d) . n = o . n + \
+             t (d . n).",
             "Solve for t: what has no t goes to the other side, then divide by d . n.",
         ],
     }

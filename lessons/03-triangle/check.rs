@@ -119,8 +119,8 @@ fn plane_t() -> Task<RayAndTriangle> {
         Fault {
             id: "normal-of-corners",
             name: "the normal is made of corners, not of edges",
-            why: "v1 x v2 stands at a right angle to the ways from the origin to the corners. The edges v1 - v0 and v2 - v0 lie in the \
-                  plane.",
+            why: "v1 x v2 stands at a right angle to the ways from the origin to the corners. The edges v1 - v0 \
+                  and v2 - v0 lie in the plane.",
             answer: |(ray, triangle)| {
                 let [v0, v1, v2] = triangle.vertices;
                 checked(line_t(ray, v1.cross(v2), v0), ray)
@@ -207,8 +207,8 @@ fn plane_t() -> Task<RayAndTriangle> {
         picture: |(ray, triangle), what, _| pictures::triangle_plane(ray, triangle, what),
         hints: &[
             "This is lesson 02 once more, with a plane that you have to find: what is its normal, and what is its D?",
-            "Two edges lie in the plane: (v1 - v0) and (v2 - v0). Their cross product is a normal. It need not have length 1: its length \
-             cancels in t.",
+            "Two edges lie in the plane: (v1 - v0) and (v2 - v0). Their cross product is a normal. It need not \
+             have length 1: its length cancels in t.",
             "D = n . v0, because v0 lies in the plane. Then t = (D - n . o) / (n . d), unless n . d = 0 or t < 0.",
         ],
     }
@@ -231,7 +231,8 @@ fn weights() -> Task<(DVec3, Triangle)> {
         Fault {
             id: "barycentrics-a-b-exchanged",
             name: "a and b are exchanged",
-            why: "a is the weight of v0: it is 1 in v0, and 0 on the edge opposite, from v1 to v2. So a is made of v1, v2 and p.",
+            why: "a is the weight of v0: it is 1 in v0, and 0 on the edge opposite, from v1 to v2. So a is made \
+                  of v1, v2 and p.",
             answer: |(p, triangle)| {
                 let [a, b, c] = true_weights(*p, triangle);
                 of_weights([b, a, c])
@@ -240,7 +241,8 @@ fn weights() -> Task<(DVec3, Triangle)> {
         Fault {
             id: "barycentrics-permuted",
             name: "the weights belong to the wrong corners: this is the order of v2, v0, v1",
-            why: "The edge from v0 to v1 gives the weight of v2, the corner that is not on it. The first weight has to be that of v0.",
+            why: "The edge from v0 to v1 gives the weight of v2, the corner that is not on it. The first weight \
+                  has to be that of v0.",
             answer: |(p, triangle)| {
                 let [a, b, c] = true_weights(*p, triangle);
                 of_weights([c, a, b])
@@ -249,7 +251,8 @@ fn weights() -> Task<(DVec3, Triangle)> {
         Fault {
             id: "barycentrics-permuted-back",
             name: "the weights belong to the wrong corners: this is the order of v1, v2, v0",
-            why: "In Moller and Trumbore's letters u and v are the weights of v1 and v2; here a is that of v0 and comes first.",
+            why: "In Moller and Trumbore's letters u and v are the weights of v1 and v2; here a is that of v0 \
+                  and comes first.",
             answer: |(p, triangle)| {
                 let [a, b, c] = true_weights(*p, triangle);
                 of_weights([b, c, a])
@@ -267,13 +270,15 @@ fn weights() -> Task<(DVec3, Triangle)> {
         Fault {
             id: "barycentrics-unsigned",
             name: "the areas have no sign, so a point outside has no negative weight",
-            why: "A length is never negative. Take the scalar product with the normal instead: it is negative beyond the edge.",
+            why: "A length is never negative. Take the scalar product with the normal instead: it is negative \
+                  beyond the edge.",
             answer: |(p, triangle)| of_weights(areas(*p, triangle)),
         },
         Fault {
             id: "barycentrics-unsigned-rest",
             name: "the areas have no sign, so a point outside has no negative weight",
-            why: "A length is never negative. Take the scalar product with the normal instead: it is negative beyond the edge.",
+            why: "A length is never negative. Take the scalar product with the normal instead: it is negative \
+                  beyond the edge.",
             answer: |(p, triangle)| {
                 let [a, b, _] = areas(*p, triangle);
                 of_weights([a, b, 1.0 - a - b])
@@ -282,17 +287,36 @@ fn weights() -> Task<(DVec3, Triangle)> {
         Fault {
             id: "barycentrics-sign",
             name: "a and b have the wrong sign",
-            why: "Go around the triangle one way: v1 to v2, v2 to v0, v0 to v1. The other way around every area is negative.",
+            why: "Go around the triangle one way: v1 to v2, v2 to v0, v0 to v1. The other way around every area \
+                  is negative.",
             answer: |(p, triangle)| {
                 let [a, b, _] = true_weights(*p, triangle);
                 of_weights([-a, -b, 1.0 + a + b])
             },
         },
         Fault {
+            id: "barycentrics-b-sign",
+            name: "b has the wrong sign",
+            why: "For b the way around goes from v2 to v0. From v0 to v2 the area comes out negative.",
+            answer: |(p, triangle)| {
+                let [a, b, _] = true_weights(*p, triangle);
+                of_weights([a, -b, 1.0 - a + b])
+            },
+        },
+        Fault {
+            id: "barycentrics-a-sign",
+            name: "a has the wrong sign",
+            why: "For a the way around goes from v1 to v2. From v2 to v1 the area comes out negative.",
+            answer: |(p, triangle)| {
+                let [a, b, _] = true_weights(*p, triangle);
+                of_weights([-a, b, 1.0 + a - b])
+            },
+        },
+        Fault {
             id: "barycentrics-halved",
             name: "a and b are half of what they should be",
-            why: "A triangle is half of a parallelogram. Above and below the fraction line both are halves or both are not: the halves \
-                  cancel.",
+            why: "A triangle is half of a parallelogram. Above and below the fraction line both are halves or \
+                  both are not: the halves cancel.",
             answer: |(p, triangle)| {
                 let [a, b, _] = true_weights(*p, triangle);
                 of_weights([a / 2.0, b / 2.0, 1.0 - a / 2.0 - b / 2.0])
@@ -310,7 +334,7 @@ fn weights() -> Task<(DVec3, Triangle)> {
         },
     ];
     let mut cases = vec![
-        Case::new("inside: a = 1/4, b = 1/2", (dvec3(2.0, 1.0, 0.0), flat())),
+        Case::new("a = 1/4, b = 1/2", (dvec3(2.0, 1.0, 0.0), flat())),
         Case::new("the corner v0", (dvec3(0.0, 0.0, 0.0), flat())),
         Case::new("the corner v1", (dvec3(4.0, 0.0, 0.0), flat())),
         Case::new("outside, beyond v1", (dvec3(5.0, 0.0, 0.0), flat())),
@@ -340,10 +364,13 @@ fn weights() -> Task<(DVec3, Triangle)> {
         faults: FAULTS,
         picture: |(p, triangle), what, _| pictures::triangle_weights(triangle, *p, what),
         hints: &[
-            "a is the area of the small triangle p, v1, v2 over the area of the whole one. b is that of p, v2, v0. You need not compute c.",
-            "The length of a cross product is an area, but it has no sign. The cross products of the small triangle and of the whole one \
-             point the same way inside and opposite ways outside: take the scalar product with n = (v1 - v0) x (v2 - v0).",
-            "a = ((v2 - v1) x (p - v1)) . n / (n . n). For b move every index on by one: v2 - v1 becomes v0 - v2, p - v1 becomes p - v2.",
+            "a is the area of the small triangle p, v1, v2 over the area of the whole one. b is that of p, v2, \
+             v0. You need not compute c.",
+            "The length of a cross product is an area, but it has no sign. The cross products of the small \
+             triangle and of the whole one point the same way inside and opposite ways outside: take the scalar \
+             product with n = (v1 - v0) x (v2 - v0).",
+            "a = ((v2 - v1) x (p - v1)) . n / (n . n). For b move every index on by one: v2 - v1 becomes v0 - \
+             v2, p - v1 becomes p - v2.",
         ],
     }
 }
@@ -353,8 +380,8 @@ fn is_inside() -> Task<[f64; 2]> {
         Fault {
             id: "b-above-one",
             name: "b > 1 is tested instead of a + b > 1",
-            why: "The third weight is 1 - a - b; it is negative as soon as a + b > 1, long before b > 1. The picture shows which points \
-                  come too many: half of a parallelogram.",
+            why: "The third weight is 1 - a - b; it is negative as soon as a + b > 1, long before b > 1. The \
+                  picture shows which points come too many: half of a parallelogram.",
             answer: |[a, b]| inside(*a >= 0.0 && *b >= 0.0 && *b <= 1.0),
         },
         Fault {
@@ -378,7 +405,8 @@ fn is_inside() -> Task<[f64; 2]> {
         Fault {
             id: "border-left-out",
             name: "the border does not count",
-            why: "With < for <= a ray through the edge that two triangles share falls between them: a hole in the surface.",
+            why: "With < for <= a ray through the edge that two triangles share falls between them: a hole in \
+                  the surface.",
             answer: |[a, b]| inside(*a > 0.0 && *b > 0.0 && *a + *b < 1.0),
         },
         Fault {
@@ -415,7 +443,8 @@ fn is_inside() -> Task<[f64; 2]> {
             pictures::inside_tests(*a, *b, what, &|a, b| ask(&[a, b]).and_then(|answer| answer.truth("inside")))
         },
         hints: &[
-            "A point is inside when none of its three weights is negative. Two of them are a and b. What is the third?",
+            "A point is inside when none of its three weights is negative. Two of them are a and b. What is the \
+             third?",
             "1 - a - b >= 0 is the same as a + b <= 1.",
         ],
     }
@@ -520,7 +549,8 @@ fn intersect() -> Task<RayAndTriangle> {
         picture: |(ray, triangle), what, _| pictures::triangle_hit(ray, triangle, what),
         hints: &[
             "You have everything: plane_t, then the point, then weights, then is_inside.",
-            "let t = plane_t(ray, triangle)?; ends the function with None where there is no t. ray.at(t) is the point.",
+            "let t = plane_t(ray, triangle)?; ends the function with None where there is no t. ray.at(t) is the \
+             point.",
         ],
     }
 }

@@ -134,7 +134,8 @@ fn slab() -> Task<[f64; 4]> {
         picture: |[o, d, low, high], what, _| pictures::slab(*o, *d, *low, *high, what),
         hints: &[
             "When is the coordinate equal to low? Solve origin + t * direction = low for t. The same for high.",
-            "The smaller of the two is t_in, the larger t_out: x.min(y) and x.max(y) are the smaller and the larger of two numbers.",
+            "The smaller of the two is t_in, the larger t_out: x.min(y) and x.max(y) are the smaller and the \
+             larger of two numbers.",
         ],
     }
 }
@@ -220,8 +221,8 @@ fn is_clear([t_in, t_out]: [f64; 2]) -> bool {
 
 const SWAPPED: [&str; 2] = [
     "the largest and the smallest are exchanged: t_in is the smallest t_in, t_out the largest t_out",
-    "In all slabs at once the ray is only after it has come into the last, and until it leaves the first: the largest t_in, the smallest \
-     t_out.",
+    "In all slabs at once the ray is only after it has come into the last, and until it leaves the first: the \
+     largest t_in, the smallest t_out.",
 ];
 const BEHIND: [&str; 2] =
     ["t_out < 0 is forgotten", "Then the whole span lies behind the origin: the ray goes the other way."];
@@ -315,8 +316,10 @@ fn rectangle() -> Task<Flat> {
         faults: FAULTS,
         picture: |[o, d, min, max], what, _| pictures::rectangle_span(*o, *d, *min, *max, what),
         hints: &[
-            "Call slab twice: once with all the x, once with all the y. The ray is in the rectangle when it is in both slabs.",
-            "It is in both only after it has come into the second of them: t_in is the larger of the two t_in. And t_out?",
+            "Call slab twice: once with all the x, once with all the y. The ray is in the rectangle when it is \
+             in both slabs.",
+            "It is in both only after it has come into the second of them: t_in is the larger of the two t_in. \
+             And t_out?",
             "Two reasons for None: t_in > t_out (never in both at once), t_out < 0 (all of it behind).",
         ],
     }

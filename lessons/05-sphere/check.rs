@@ -81,8 +81,8 @@ fn coefficients() -> Task<RayAndSphere> {
         Fault {
             id: "sphere-b-without-2",
             name: "b is not doubled",
-            why: "(f + t d)^2 = f.f + 2 t (f.d) + t^2 (d.d): the 2 belongs to b. (Some books leave it out, and take another formula for \
-                  the roots.)",
+            why: "(f + t d)^2 = f.f + 2 t (f.d) + t^2 (d.d): the 2 belongs to b. (Some books leave it out, and \
+                  take another formula for the roots.)",
             answer: |(ray, sphere)| {
                 let [a, b, c] = coefficients_of(ray, sphere);
                 of_coefficients([a, b / 2.0, c])
@@ -91,7 +91,8 @@ fn coefficients() -> Task<RayAndSphere> {
         Fault {
             id: "sphere-b-sign",
             name: "b has the wrong sign",
-            why: "f goes from the centre to the origin of the ray: o - c. The other way round b changes its sign, a and c do not.",
+            why: "f goes from the centre to the origin of the ray: o - c. The other way round b changes its \
+                  sign, a and c do not.",
             answer: |(ray, sphere)| {
                 let [a, b, c] = coefficients_of(ray, sphere);
                 of_coefficients([a, -b, c])
@@ -217,6 +218,12 @@ fn roots() -> Task<Quadratic> {
             answer: |q| with(q, |root| [-1.0, 1.0].map(|side| (-q.b + side * root) / 2.0 * q.a)),
         },
         Fault {
+            id: "quadratic-no-brackets",
+            name: "-b + root / 2.0 * a divides only the root, by 2, and multiplies it by a",
+            why: "Two pairs of brackets are needed: (-b + root) / (2.0 * a).",
+            answer: |q| with(q, |root| [-1.0, 1.0].map(|side| -q.b + side * root / 2.0 * q.a)),
+        },
+        Fault {
             id: "quadratic-b-sign",
             name: "it is +b where it has to be -b",
             why: "The middle of both roots is -b / (2 a).",
@@ -323,7 +330,8 @@ fn roots() -> Task<Quadratic> {
         picture: |q, what, _| pictures::parabola([q.a, q.b, q.c], what),
         hints: &[
             "Begin with the discriminant b * b - 4.0 * a * c. What does it mean if it is negative?",
-            "t = (-b - root) / (2.0 * a) and (-b + root) / (2.0 * a) with root = discriminant.sqrt(). Mind the brackets.",
+            "t = (-b - root) / (2.0 * a) and (-b + root) / (2.0 * a) with root = discriminant.sqrt(). Mind the \
+             brackets.",
         ],
     }
 }
@@ -344,7 +352,8 @@ fn intersect() -> Task<RayAndSphere> {
         Fault {
             id: "sphere-negative-t",
             name: "a negative t is taken for a hit",
-            why: "t < 0 lies behind the origin. If t_in is negative, t_out may still count; if that is negative too, nothing does.",
+            why: "t < 0 lies behind the origin. If t_in is negative, t_out may still count; if that is negative \
+                  too, nothing does.",
             answer: |case| hit(line(case).map(|span| span.t_in)),
         },
         Fault {
@@ -433,7 +442,8 @@ fn normal() -> Task<(Ray, Sphere, f64)> {
         Fault {
             id: "normal-not-flipped",
             name: "the normal is not flipped where the ray comes from inside",
-            why: "A ray that hits from within sees the inner side. If n . d > 0 the normal points away from the ray: turn it round.",
+            why: "A ray that hits from within sees the inner side. If n . d > 0 the normal points away from the \
+                  ray: turn it round.",
             answer: |case| Answer::of("n", outward(case)),
         },
         Fault {
@@ -469,7 +479,8 @@ fn normal() -> Task<(Ray, Sphere, f64)> {
         Fault {
             id: "normal-of-point",
             name: "the centre is missing",
-            why: "The point alone is the way from the origin of the world. The normal is the way from the centre: p - c.",
+            why: "The point alone is the way from the origin of the world. The normal is the way from the \
+                  centre: p - c.",
             answer: |case| {
                 let n = case.0.at(case.2).normalize_or_zero();
                 Answer::of("n", if n.dot(case.0.direction) > 0.0 { -n } else { n })
@@ -520,8 +531,10 @@ fn normal() -> Task<(Ray, Sphere, f64)> {
         faults: FAULTS,
         picture: |(ray, sphere, t), what, _| pictures::sphere_normal(ray, sphere, *t, what),
         hints: &[
-            "ray.at(t) is the point. From the centre to the point the normal points outwards; how long is that vector?",
-            "If the normal and the direction point to the same side (n . d > 0) the ray comes from inside: return -n.",
+            "ray.at(t) is the point. From the centre to the point the normal points outwards; how long is that \
+             vector?",
+            "If the normal and the direction point to the same side (n . d > 0) the ray comes from inside: \
+             return -n.",
         ],
     }
 }

@@ -1,4 +1,5 @@
-//! `raytree typeset`: the formulas of an mdBook, as pictures in its text.
+//! `raytree typeset`: an mdBook from pages that were written for a code host: formulas become pictures in the text, and
+//! links to a README.md lead to the page that mdBook makes of it.
 
 use std::io::Read;
 
@@ -15,7 +16,8 @@ use crate::pictures::drawing::{Formulas, escape};
   [preprocessor.typeset]
   command = \"raytree typeset\"
 It reads the book from standard input as mdbook hands it to preprocessors, and writes it to standard output with every
-formula between dollar signs as SVG: the book needs no script and no network for them.")]
+formula between dollar signs as SVG: the book needs no script and no network for them. Links to a README.md become
+links to the index.html that mdbook makes of it.")]
 pub(super) struct Args {
     /// What mdbook asks first: `supports html`
     #[arg(num_args = 0..=2, value_names = ["supports", "RENDERER"])]
@@ -84,7 +86,8 @@ fn typeset(page: &str) -> Result<String, (String, String)> {
             set.push_str(line);
             continue;
         }
-        let mut rest = line;
+        let line = line.replace("/README.md)", "/index.md)");
+        let mut rest = line.as_str();
         while let Some(at) = rest.find(['$', '`']) {
             set.push_str(&rest[..at]);
             rest = &rest[at..];

@@ -16,7 +16,7 @@ mod words;
 
 pub use answer::{Answer, TOLERANCE, Value};
 pub use report::{Broken, Failure, FailureKind, Lesson, Mistake, Outcome, Report, StageReport};
-pub use task::{Case, Checked, Fault, Stage, Task, random_cases};
+pub use task::{Case, Checked, Fault, Picture, Stage, Task, random_cases};
 pub use words::shown;
 
 /// A ray in f64: `origin + t direction`, `t >= 0`.

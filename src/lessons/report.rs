@@ -246,8 +246,20 @@ impl Failure {
             None => format!("  got       a panic at {}: {}\n", broken.place, broken.message.replace('\n', " ")),
         };
         if let Some(Mistake { name, why, .. }) = &self.mistake {
-            text += &format!("\nthe mistake: {name}\n  {why}\n");
+            text += &format!("\nthe mistake: {name}\n{}", indented(why));
         }
         text
     }
+}
+
+/// A text in lines of at most a hundred letters, indented.
+fn indented(text: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + word.chars().count() < 100 => *line += &format!(" {word}"),
+            _ => lines.push(format!("  {word}")),
+        }
+    }
+    lines.join("\n") + "\n"
 }

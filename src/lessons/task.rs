@@ -43,6 +43,12 @@ pub struct Fault<C> {
     pub answer: fn(&C) -> Answer,
 }
 
+/// A function that draws a case. The last argument asks the student's function for more.
+pub type Picture<C> = fn(&C, &Shown, &dyn Fn(&C) -> Option<Answer>) -> Drawing;
+
+/// What may be drawn, or run, by name.
+type Named<T> = Box<dyn Fn(&str) -> Option<T>>;
+
 /// A function to write, and all that is needed to check it.
 #[derive(Debug)]
 pub struct Task<C: 'static> {
@@ -62,8 +68,8 @@ pub struct Task<C: 'static> {
     pub truth: fn(&C) -> Answer,
     /// The mistakes that can be named; of two that answer alike the first is.
     pub faults: &'static [Fault<C>],
-    /// The right answer and the student's in one diagram. The last argument asks the student's function for more.
-    pub picture: fn(&C, &Shown, &dyn Fn(&C) -> Option<Answer>) -> Drawing,
+    /// The right answer and the student's in one diagram.
+    pub picture: Picture<C>,
     /// Hints, each saying more than the one before.
     pub hints: &'static [&'static str],
 }
@@ -85,8 +91,8 @@ pub struct Stage {
     /// The mistakes that can be named.
     pub mistakes: Vec<Mistake>,
     run: Box<dyn Fn() -> Checked>,
-    show: Box<dyn Fn(&str) -> Option<Drawing>>,
-    plant: Box<dyn Fn(&str) -> Option<Checked>>,
+    show: Named<Drawing>,
+    plant: Named<Checked>,
 }
 
 impl std::fmt::Debug for Stage {

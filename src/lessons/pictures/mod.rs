@@ -1,7 +1,8 @@
 //! The pictures of lessons: the right answer and the student's in one diagram.
 //!
-//! Each function takes what the case is about and a [`Shown`], and draws on a canvas that [`Page`] has laid out: the diagram at the
-//! left, what is given and what was answered at the right. Right is green and solid, the student's is red and dashed.
+//! Each function takes what the case is about and a [`Shown`], and draws on a canvas that is laid out in `page.rs`: the
+//! diagram at the left, what is given and what was answered at the right. The true answer is green and solid, the
+//! student's red and dashed.
 
 mod page;
 mod plane;

@@ -57,7 +57,7 @@ impl Page {
         self.heading("given", None);
         shown.given.iter().for_each(|line| self.line(line, theme.ink));
         let (right, wrong) = (self.right(), self.wrong());
-        self.heading("right", Some(right));
+        self.heading("true", Some(right));
         match &told {
             Some([expected, _]) => self.line(expected, right.color),
             None => self.line(&shown.expected.to_string(), right.color),

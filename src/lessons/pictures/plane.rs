@@ -8,7 +8,7 @@ use crate::lessons::{Plane, Ray, shown};
 use crate::pictures::diagrams::Sketch;
 use crate::pictures::drawing::{Dash, Drawing, Pen, Words};
 
-const ALONG: &str = "Seen along the right plane, which is a line here; its normal points up.";
+const ALONG: &str = "Seen along the true plane, which is a line here; its normal points up.";
 
 fn bold(letter: &str) -> Words {
     Words::default().tex(&format!(r"\mathbf{{{letter}}}"))
@@ -44,10 +44,9 @@ pub fn plane_from(point: DVec3, normal: DVec3, what: &Shown) -> Drawing {
     let [given, green, red] = [page.given(), page.right(), page.wrong()];
     let mut sketch = Sketch::new(&mut page.drawing, page.room, page.theme);
     let at = |p: DVec2| view.at(p);
-    let far = DVec2::new(1e3, 0.0);
-    sketch.line(at(foot - far), at(foot + far), Pen { width: 3.2, ..green });
+    sketch.line(view.beyond(foot, -DVec2::X), view.beyond(foot, DVec2::X), Pen { width: 3.2, ..green });
     sketch.arrow(at(foot), at(foot + DVec2::Y), green);
-    sketch.name_in(at(foot + DVec2::Y), Words::from("right ").tex(r"\mathbf{n}"), green.color);
+    sketch.name_in(at(foot + DVec2::Y), Words::from("true ").tex(r"\mathbf{n}"), green.color);
     sketch.dot(at(DVec2::ZERO), sketch.theme.ink);
     sketch.name(at(DVec2::ZERO), "origin");
     if at(foot).distance(at(DVec2::ZERO)) > 24.0 {
@@ -55,8 +54,7 @@ pub fn plane_from(point: DVec3, normal: DVec3, what: &Shown) -> Drawing {
         sketch.length(at(DVec2::ZERO), at(foot), 16.0, words, green.color);
     }
     if let Some([start, n]) = yours {
-        let across = n.normalize_or_zero().perp() * 1e3;
-        sketch.line(at(start - across), at(start + across), red);
+        sketch.line(view.beyond(start, -n.perp()), view.beyond(start, n.perp()), red);
         sketch.arrow(at(start), at(start + n), Pen { dash: Dash::Solid, ..red });
         sketch.name_in(at(start + n), Words::from("your ").tex(r"\mathbf{n}"), red.color);
     }
@@ -86,15 +84,14 @@ pub fn signed_distance(point: DVec3, plane: &Plane, what: &Shown) -> Drawing {
     let [given, green, red] = [page.given(), page.right(), page.wrong()];
     let mut sketch = Sketch::new(&mut page.drawing, page.room, page.theme);
     let at = |p: DVec2| view.at(p);
-    let far = DVec2::new(1e3, 0.0);
-    sketch.line(at(level - far), at(level + far), Pen::new(sketch.theme.ink, 2.4));
+    sketch.line(view.beyond(level, -DVec2::X), view.beyond(level, DVec2::X), Pen::new(sketch.theme.ink, 2.4));
     sketch.arrow(at(level), at(level + DVec2::Y), Pen::new(sketch.theme.ink, 1.8));
     sketch.name(at(level + DVec2::Y), bold("n"));
     sketch.dot(at(DVec2::ZERO), sketch.theme.muted);
     sketch.name_in(at(DVec2::ZERO), "origin", sketch.theme.muted);
     sketch.arrow(at(foot), at(p), green);
     let d = what.expected.number("distance").unwrap_or_default();
-    sketch.beside(at(foot), at(p), format!("right {}", shown(d)), green.color);
+    sketch.beside(at(foot), at(p), format!("true {}", shown(d)), green.color);
     if let (Some(yours), Some(d), true) = (yours, got, is_near) {
         sketch.arrow(at(foot + aside), at(yours), red);
         sketch.name_in(at(yours), format!("yours {}", shown(d)), red.color);
@@ -119,9 +116,8 @@ pub fn plane_hit(ray: &Ray, plane: &Plane, what: &Shown) -> Drawing {
     let right = t_of(&what.expected).map(|t| eye + t * way);
     let got = what.wrong().and_then(t_of);
     let yours = got.map(|t| eye + t * way);
-    let reach = way * (1.4 / way.length().max(1e-9));
-    let needed: Vec<DVec2> =
-        [eye, level, level + DVec2::Y, eye + reach, -0.6 * reach].into_iter().chain(right).collect();
+    let back = way * (-0.8 / way.length().max(1e-9));
+    let needed: Vec<DVec2> = [eye, level, level + DVec2::Y, eye + way, back].into_iter().chain(right).collect();
     let (view, is_near) = View::new(&needed, &yours.into_iter().collect::<Vec<_>>(), page.room);
     match what.wrong() {
         Some(super::Answer::Nothing(_)) => page.note("Your function finds no hit."),
@@ -134,19 +130,16 @@ pub fn plane_hit(ray: &Ray, plane: &Plane, what: &Shown) -> Drawing {
     let [given, green, red] = [page.given(), page.right(), page.wrong()];
     let mut sketch = Sketch::new(&mut page.drawing, page.room, page.theme);
     let at = |p: DVec2| view.at(p);
-    let far = DVec2::new(1e3, 0.0);
-    sketch.line(at(level - far), at(level + far), Pen::new(sketch.theme.ink, 2.4));
+    sketch.line(view.beyond(level, -DVec2::X), view.beyond(level, DVec2::X), Pen::new(sketch.theme.ink, 2.4));
     sketch.arrow(at(level), at(level + DVec2::Y), Pen::new(sketch.theme.ink, 1.8));
     sketch.name(at(level + DVec2::Y), bold("n"));
-    let behind = eye - 1e3 * way.normalize_or_zero();
-    sketch.line(at(eye), at(behind), sketch.guide());
-    let ahead = eye + 1e3 * way.normalize_or_zero();
-    sketch.line(at(eye), at(ahead), Pen { width: 1.2, ..given });
+    sketch.line(at(eye), view.beyond(eye, -way), sketch.guide());
+    sketch.line(at(eye), view.beyond(eye, way), Pen { width: 1.2, ..given });
     sketch.arrow(at(eye), at(eye + way), given);
     sketch.name_in(at(eye + way), bold("d"), given.color);
     if let (Some(p), Some(t)) = (right, t_of(&what.expected)) {
         sketch.disk(at(p), 5.5, green.color);
-        sketch.name_in(at(p), Words::from("right ").tex(&format!("t = {}", shown(t))), green.color);
+        sketch.name_in(at(p), Words::from("true ").tex(&format!("t = {}", shown(t))), green.color);
     }
     if let (Some(p), Some(t), true) = (yours, got, is_near) {
         sketch.disk(at(p), 5.5, red.color);

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::view::{View, oblique};
 use super::{Answer, Page, Shown};
 use crate::lessons::{Aabb, Ray, shown};
-use crate::pictures::diagrams::Sketch;
+use crate::pictures::diagrams::{Sketch, elided};
 use crate::pictures::drawing::{Align, Color, Dash, Drawing, Level, Path, Pen, Rect, Text, Words};
 use crate::pictures::theme::{Hue, Theme};
 
@@ -53,7 +53,7 @@ pub fn slab(origin: f64, direction: f64, low: f64, high: f64, what: &Shown) -> D
         let Some(t) = t else { continue };
         sketch.line(at(t, bottom), at(t, top), Pen { width: 1.8, ..green });
         sketch.disk(at(t, at_t(t)), 5.0, green.color);
-        let words = Words::from("right ").tex(&format!("{name} = {}", shown(t)));
+        let words = Words::from("true ").tex(&format!("{name} = {}", shown(t)));
         sketch.name_in(at(t, at_t(t)), words, green.color);
     }
     for (t, name) in wrong.into_iter().zip([r"t_{\mathrm{in}}", r"t_{\mathrm{out}}"]) {
@@ -75,7 +75,13 @@ pub fn rectangle_span(origin: DVec2, direction: DVec2, min: DVec2, max: DVec2, w
     let lower = split(&mut page);
     let points: Vec<DVec2> = ends(&what.expected).into_iter().flatten().map(|t| origin + t * direction).collect();
     let wrong = what.wrong().map_or([None; 2], ends);
-    let wished: Vec<DVec2> = wrong.into_iter().flatten().map(|t| origin + t * direction).collect();
+    let axes = [0, 1].map(|k| axis_span(origin[k], direction[k], min[k], max[k]));
+    let mut crossings: Vec<(usize, f64)> = Vec::new();
+    for (axis, span) in axes.iter().enumerate() {
+        crossings.extend(span.iter().flatten().filter(|t| t.is_finite()).map(|t| (axis, *t)));
+    }
+    let wished = wrong.into_iter().flatten().chain(crossings.iter().map(|(_, t)| *t));
+    let wished: Vec<DVec2> = wished.map(|t| origin + t * direction).collect();
     let needed = [min, max, origin, origin + direction].into_iter().chain(points.iter().copied()).collect::<Vec<_>>();
     let (view, _) = View::new(&needed, &wished, page.room);
     let given = page.given();
@@ -98,10 +104,12 @@ pub fn rectangle_span(origin: DVec2, direction: DVec2, min: DVec2, max: DVec2, w
     let [a, b, c, d] = rect.corners();
     sketch.keep_off(&[a, b, c, d, a]);
     the_ray(&mut sketch, at(origin), at(origin + direction), given);
-    marks(&mut sketch, &|t| at(origin + t * direction), ends(&what.expected), green, "right");
+    for (axis, t) in crossings {
+        sketch.disk(at(origin + t * direction), 3.0, color(axis, sketch.theme));
+    }
+    marks(&mut sketch, &|t| at(origin + t * direction), ends(&what.expected), green, "true");
     marks(&mut sketch, &|t| at(origin + t * direction), wrong, red, "your");
     sketch.finish();
-    let axes = [0, 1].map(|k| axis_span(origin[k], direction[k], min[k], max[k]));
     bars(&mut page, lower, &axes, what);
     page.drawing
 }
@@ -140,7 +148,7 @@ pub fn box_span(ray: &Ray, aabb: &Aabb, what: &Shown) -> Drawing {
         }
     }
     the_ray(&mut sketch, view.at(oblique(ray.origin)), view.at(oblique(ray.origin + ray.direction)), given);
-    marks(&mut sketch, &|t| view.at(point(t)), ends(&what.expected), green, "right");
+    marks(&mut sketch, &|t| view.at(point(t)), ends(&what.expected), green, "true");
     marks(&mut sketch, &|t| view.at(point(t)), wrong, red, "your");
     sketch.finish();
     let (o, d) = (ray.origin, ray.direction);
@@ -203,7 +211,7 @@ fn bars(page: &mut Page, room: Rect, axes: &[Option<[f64; 2]>], what: &Shown) {
     let high = times.iter().fold(1.0_f64, |m, t| m.max(*t));
     let margin = 0.08 * (high - low);
     let (low, high) = (low - margin, high + margin);
-    let (left, end) = (room.min.x + 62.0, room.max.x - 12.0);
+    let (left, end) = (room.min.x + 128.0, room.max.x - 12.0);
     let at = |t: f64| left + (t.clamp(low, high) - low) / (high - low) * (end - left);
     let rows = axes.len() + 2;
     let step = (room.size().y - 26.0) / rows as f64;
@@ -216,17 +224,21 @@ fn bars(page: &mut Page, room: Rect, axes: &[Option<[f64; 2]>], what: &Shown) {
     for (axis, span) in axes.iter().enumerate() {
         let hue = color(axis, theme);
         let y = y_of(axis);
-        drawing.text((left - 10.0, y), LETTERS[axis], text.color(hue));
-        match span {
-            Some([a, b]) => {
-                let bar = Rect { min: DVec2::new(at(*a), y - 6.0), max: DVec2::new(at(*b).max(at(*a) + 1.0), y + 6.0) };
-                drawing.fill(Path::rect(bar), hue.fade(0.75));
+        let told = match span {
+            Some([a, b]) if a.is_finite() || b.is_finite() => {
+                format!("{}: {} to {}", LETTERS[axis], shown(*a), shown(*b))
             }
-            None => _ = drawing.text((left, y), "never", text.anchor(Align::Start, Level::Middle)),
+            Some(_) => format!("{}: always", LETTERS[axis]),
+            None => format!("{}: never", LETTERS[axis]),
+        };
+        drawing.text((left - 10.0, y), elided(&told, &text, left - 12.0 - room.min.x), text.color(hue));
+        if let Some([a, b]) = span {
+            let bar = Rect { min: DVec2::new(at(*a), y - 6.0), max: DVec2::new(at(*b).max(at(*a) + 1.0), y + 6.0) };
+            drawing.fill(Path::rect(bar), hue.fade(0.75));
         }
     }
     let (green, red) = (page.theme.hue(Hue::Green), page.theme.hue(Hue::Vermilion));
-    let answers = [(right, green, "right", true), (wrong, red, "yours", what.wrong().is_some())];
+    let answers = [(right, green, "true", true), (wrong, red, "yours", what.wrong().is_some())];
     for (i, ([first, second], hue, words, is_there)) in answers.into_iter().enumerate() {
         if !is_there {
             continue;

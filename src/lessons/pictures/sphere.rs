@@ -57,11 +57,11 @@ pub fn parabola([a, b, c]: [f64; 3], what: &Shown) -> Drawing {
         }
     };
     let is_asked_for = what.expected.number("a").is_some();
-    curve([a, b, c], if is_asked_for { green } else { given }, if is_asked_for { "right" } else { "the quadratic" });
+    curve([a, b, c], if is_asked_for { green } else { given }, if is_asked_for { "true" } else { "the quadratic" });
     if let Some(own) = own {
         curve(own, red, "yours");
     }
-    for (times, pen, whose) in [(right, green, "right"), (wrong, red, "your")] {
+    for (times, pen, whose) in [(right, green, "true"), (wrong, red, "your")] {
         if is_asked_for && whose == "your" {
             continue;
         }
@@ -104,7 +104,7 @@ pub fn sphere_hit(ray: &Ray, sphere: &Sphere, what: &Shown) -> Drawing {
     the_sphere(&mut sketch, &view, sphere);
     the_ray(&mut sketch, &view, &cut, ray, given);
     for (p, t, pen, whose) in
-        [(right, t_of(&what.expected), green, "right"), (yours.filter(|_| is_near), got, red, "yours")]
+        [(right, t_of(&what.expected), green, "true"), (yours.filter(|_| is_near), got, red, "yours")]
     {
         if let (Some(p), Some(t)) = (p, t) {
             sketch.disk(view.at(p), 5.5, pen.color);
@@ -142,7 +142,7 @@ pub fn sphere_normal(ray: &Ray, sphere: &Sphere, t: f64, what: &Shown) -> Drawin
     the_ray(&mut sketch, &view, &cut, ray, given);
     let at = |p: DVec3| view.at(cut.at(p));
     sketch.arrow(at(p), at(p + right), green);
-    sketch.name_in(at(p + right), Words::from("right ").tex(r"\mathbf{n}"), green.color);
+    sketch.name_in(at(p + right), Words::from("true ").tex(r"\mathbf{n}"), green.color);
     if let Some(n) = got {
         sketch.arrow(at(p), at(p + n), red);
         sketch.name_in(at(p + n), Words::from("your ").tex(r"\mathbf{n}"), red.color);

@@ -39,14 +39,14 @@ pub fn triangle_plane(ray: &Ray, triangle: &Triangle, what: &Shown) -> Drawing {
         sketch.line(corners[k], corners[(k + 1) % 3], Pen::new(sketch.theme.ink, 1.8));
         sketch.name(corners[k], vertex(k));
     }
-    let far = ray.origin + 1e3 * ray.direction.normalize_or_zero();
-    sketch.line(at(ray.origin), at(far), Pen { width: 1.2, ..given });
+    let beyond = view.beyond(oblique(ray.origin), oblique(ray.direction));
+    sketch.line(at(ray.origin), beyond, Pen { width: 1.2, ..given });
     sketch.arrow(at(ray.origin), at(ray.origin + ray.direction), given);
     sketch.dot(at(ray.origin), given.color);
     sketch.name_in(at(ray.origin), Words::default().tex(r"\mathbf{o}"), given.color);
     if let Some(p) = right {
         sketch.disk(at(p), 5.5, green.color);
-        sketch.name_in(at(p), Words::from("right ").tex(r"\mathbf{p}"), green.color);
+        sketch.name_in(at(p), Words::from("true ").tex(r"\mathbf{p}"), green.color);
     }
     if let Some(p) = got.filter(|_| is_near) {
         sketch.disk(at(p), 5.5, red.color);
@@ -143,7 +143,7 @@ fn in_its_plane(
         let color = green.color;
         sketch.disk(p, 5.5, color);
         let is_hit = matches!(what.expected, Answer::Values(_));
-        let words = if is_hit { "right " } else { "right: outside, " };
+        let words = if is_hit { "true " } else { "true: outside, " };
         sketch.name_in(p, Words::from(words).tex(r"\mathbf{p}"), color);
     }
     if let Some(p) = got.map(|p| view.at(p)).filter(|_| is_near) {
@@ -156,7 +156,10 @@ fn in_its_plane(
 
 /// The inside tests as the region that passes them, in the plane of the weights a and b. `ask` is the student's function.
 pub fn inside_tests(a: f64, b: f64, what: &Shown, ask: &dyn Fn(f64, f64) -> Option<bool>) -> Drawing {
-    let mut page = Page::new(what, "All weights a (to the right) and b (up). Dots: where your function says inside.");
+    let mut page = Page::new(
+        what,
+        "All weights a (to the right) and b (up). Filled: what your function says is inside; red where it is not.",
+    );
     let reach = [a, b, 1.0 - a - b].into_iter().fold(1.5_f64, |reach, x| reach.max(x.abs() + 0.3)).min(6.0);
     let (low, high) = (DVec2::splat(1.0 - reach), DVec2::splat(reach));
     let room = page.room.grown(-8.0);
@@ -167,18 +170,16 @@ pub fn inside_tests(a: f64, b: f64, what: &Shown, ask: &dyn Fn(f64, f64) -> Opti
     let mut sketch = Sketch::new(&mut page.drawing, square, page.theme);
     let at = |a: f64, b: f64| view.at(DVec2::new(a, b));
     let corners = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
-    sketch.drawing.fill(Path::polygon(corners), green.color.fade(0.2));
-    const CELLS: i32 = 36;
-    for i in 0..CELLS {
-        for k in 0..CELLS {
-            let share = |i: i32| (f64::from(i) + 0.5) / f64::from(CELLS);
-            let (a, b) = (low.x + share(i) * (high.x - low.x), low.y + share(k) * (high.y - low.y));
-            let says = ask(a, b) == Some(true);
+    const CELLS: i32 = 60;
+    let cell = (high - low) / f64::from(CELLS);
+    for (i, k) in (0..CELLS).flat_map(|i| (0..CELLS).map(move |k| (i, k))) {
+        let corner = low + cell * DVec2::new(i.into(), k.into());
+        let (a, b) = (corner + 0.5 * cell).into();
+        if ask(a, b) == Some(true) {
             let is_true = a >= 0.0 && b >= 0.0 && a + b <= 1.0;
-            if says {
-                let color = if is_true { green.color } else { red.color };
-                sketch.drawing.disk(at(a, b), 2.0, color);
-            }
+            let color = if is_true { green.color } else { red.color };
+            let rect = Rect::around([view.at(corner), view.at(corner + cell)]).unwrap_or(square);
+            sketch.drawing.fill(Path::rect(rect), color.fade(0.3));
         }
     }
     let axis = Pen::new(sketch.theme.axis, 1.2);

@@ -50,7 +50,7 @@ pub fn projection(a: DVec3, b: DVec3, what: &Shown) -> Drawing {
         true => Words::from(words),
         false => Words::from(words).then(" ").tex(r"\mathbf{a}\cdot\mathbf{b}\,/\,|\mathbf{b}|"),
     };
-    sketch.name_in(at(right), letter("right"), green.color);
+    sketch.name_in(at(right), letter("true"), green.color);
     if let Some(got) = got.filter(|_| is_near) {
         sketch.arrow(at(DVec2::ZERO), at(got), red);
         sketch.name_in(at(got), letter("yours"), red.color);
@@ -92,7 +92,7 @@ pub fn length(a: DVec3, what: &Shown) -> Drawing {
     let scale = (lower.size().x - 140.0) / (high - low);
     let at = |x: f64, row: f64| DVec2::new(lower.min.x + 20.0 + (x - low) * scale, lower.min.y + 30.0 + 50.0 * row);
     let mut sketch = Sketch::new(&mut page.drawing, lower, page.theme);
-    let rows = [(Some(right), green, "right"), (wrong, red, "yours")];
+    let rows = [(Some(right), green, "true"), (wrong, red, "yours")];
     for (row, (x, pen, words)) in rows.into_iter().enumerate() {
         let Some(x) = x else { continue };
         sketch.arrow(at(0.0, row as f64), at(x, row as f64), Pen { width: 3.4, ..pen });
@@ -124,7 +124,7 @@ pub fn normal_vector(a: DVec3, what: &Shown) -> Drawing {
     sketch.arrow(zero, at(a2), given);
     sketch.arrow(zero, at(right), Pen { width: 4.6, ..green });
     sketch.name_in(at(a2), bold("a"), given.color);
-    sketch.name_in(at(right), "right", green.color);
+    sketch.name_in(at(right), "true", green.color);
     if let Some(got) = got {
         sketch.arrow(zero, at(got), red);
         sketch.name_in(at(got), "yours", red.color);
@@ -165,7 +165,7 @@ pub fn cross_product(a: DVec3, b: DVec3, what: &Shown) -> Drawing {
     sketch.name_in(at(a), bold("a"), given.color);
     sketch.name_in(at(b), bold("b"), given.color);
     sketch.arrow(zero, at(right), green);
-    sketch.name_in(at(right), Words::from("right ").tex(r"\mathbf{a}\times\mathbf{b}"), green.color);
+    sketch.name_in(at(right), Words::from("true ").tex(r"\mathbf{a}\times\mathbf{b}"), green.color);
     if let Some(got) = got.filter(|_| is_near) {
         sketch.arrow(zero, at(got), red);
         sketch.name_in(at(got), "yours", red.color);

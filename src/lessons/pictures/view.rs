@@ -39,6 +39,12 @@ impl View {
         self.middle + DVec2::new(off.x, -off.y)
     }
 
+    /// A point far beyond the canvas, from a point in a direction.
+    pub(super) fn beyond(&self, from: DVec2, way: DVec2) -> DVec2 {
+        let way = (way * self.scale).normalize_or_zero();
+        self.at(from) + 3e3 * DVec2::new(way.x, -way.y)
+    }
+
     /// A length on the canvas, along x.
     pub(super) fn length(&self, x: f64) -> f64 {
         (x * self.scale.x).min(9e3)

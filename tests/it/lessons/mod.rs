@@ -1,6 +1,7 @@
 //! The course: every exercise fails in a friendly way, every solution passes, known mistakes are named and drawn; the pages.
 
 mod aabb;
+mod book;
 mod pages;
 mod plane;
 mod program;

@@ -90,7 +90,7 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
                 ..right
             },
         ),
-        with("b-above-one", check::Student { is_inside: |a, b| !(a < 0.0 || b < 0.0 || b > 1.0), ..right }),
+        with("b-above-one", check::Student { is_inside: |a, b| !(b > 1.0 || a < 0.0 || b < 0.0), ..right }),
         with("sum-forgotten", check::Student { is_inside: |a, b| !(a < 0.0 || b < 0.0), ..right }),
         with("border-left-out", check::Student { is_inside: |a, b| a > 0.0 && b > 0.0 && 1.0 - a - b > 0.0, ..right }),
         with(
