@@ -23,9 +23,9 @@ struct Args {
     /// A hint for the first function that is not right: the next one each time, or the one with this number
     #[arg(long, value_name = "N", num_args = 0..=1)]
     hint: Option<Option<usize>>,
-    /// The result for programs; writes no picture unless asked for one
-    #[arg(long)]
-    json: bool,
+    /// The result for programs, to a file or to standard output; there is no picture then unless asked for
+    #[arg(long, value_name = "FILE", num_args = 0..=1)]
+    json: Option<Option<String>>,
     /// Where the picture goes: a path ending in .png or .svg [default: lesson-NN.png in the current folder]
     #[arg(long, value_name = "FILE")]
     picture: Option<String>,
@@ -49,14 +49,17 @@ pub fn run(lesson: &Lesson) -> ExitCode {
 fn checked(lesson: &Lesson, args: &Args) -> Result<(), Failure> {
     let (report, drawing) = lesson.check();
     let command = format!("cargo run --example lesson-{:02}", lesson.number);
-    let text = match args.hint {
-        Some(asked) => hint(lesson, &report, asked, &command)?,
-        None if args.json => {
+    let mut target = Target::Stdout;
+    let text = match (args.hint, &args.json) {
+        (Some(asked), _) => hint(lesson, &report, asked, &command)?,
+        (None, Some(file)) => {
+            // What the student's code prints is not in the way of a file.
+            target = Target::new(file.as_deref(), &[])?;
             write_picture(args.picture.as_deref(), drawing.as_ref())?;
             let json = serde_json::to_string_pretty(&report).map_err(|error| Failure::Machine(error.to_string()))?;
             json + "\n"
         }
-        None => {
+        (None, None) => {
             let file = args.picture.clone().unwrap_or_else(|| format!("lesson-{:02}.png", lesson.number));
             let mut text = report.to_text(&command);
             if report.passed {
@@ -69,7 +72,7 @@ fn checked(lesson: &Lesson, args: &Args) -> Result<(), Failure> {
             text
         }
     };
-    Target::Stdout.write_all(text.as_bytes())?;
+    target.write_all(text.as_bytes())?;
     if report.passed { Ok(()) } else { Err(Failure::No) }
 }
 

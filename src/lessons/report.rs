@@ -252,12 +252,12 @@ impl Failure {
     }
 }
 
-/// A text in lines of at most a hundred letters, indented.
+/// A text in lines of at most eighty letters, indented.
 fn indented(text: &str) -> String {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < 100 => *line += &format!(" {word}"),
+            Some(line) if line.chars().count() + word.chars().count() < 80 => *line += &format!(" {word}"),
             _ => lines.push(format!("  {word}")),
         }
     }

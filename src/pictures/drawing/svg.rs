@@ -245,7 +245,8 @@ pub(super) fn formula(tex: &str, is_display: bool, glyphs: &mut BTreeMap<String,
     let (left, right) = (ink.min.x.min(0.0), ink.max.x.max(run.advance));
     let (width, height) = (right - left, ink.size().y);
     Ok(format!(
-        "<svg class=\"formula\" role=\"img\" aria-label=\"{}\" style=\"width:{}em;height:{}em;vertical-align:{}em;overflow:visible\" \
+        "<svg class=\"formula\" role=\"img\" aria-label=\"{}\" \
+         style=\"width:{}em;height:{}em;vertical-align:{}em;overflow:visible\" \
          viewBox=\"{} {} {} {}\" fill=\"currentColor\">{}</svg>",
         escape(tex),
         precise(width / EM),

@@ -72,6 +72,9 @@ fn a_lesson_from_the_shell() {
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(1), ""));
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((&report["lesson"], &report["points"], &report["of"]), (&3.into(), &0.into(), &10.into()));
+    let to_file = run(&exercise, &["--json", "result.json"]);
+    assert_eq!((to_file.status.code(), to_file.stdout.as_slice()), (Some(1), b"".as_slice()));
+    assert_eq!(std::fs::read(folder.path().join("result.json")).unwrap(), output.stdout);
     let output = run(&solution, &["--json"]);
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((output.status.code(), &report["passed"]), (Some(0), &true.into()));
