@@ -17,7 +17,7 @@
 //! ```
 //!
 //! The modules are floors: each imports from those before it in the order [`numbers`], [`kernels`], [`input`], [`scene`],
-//! [`hits`], [`transport`], [`tree`], [`steps`], [`faults`], `pictures`, `accuracy`, `inspector`, `commands`.
+//! [`hits`], [`transport`], [`tree`], [`steps`], [`faults`], `pictures`, `accuracy`, `inspector`, `lessons`, `commands`.
 //! `ARCHITECTURE.md` has the map.
 
 pub mod numbers;
@@ -46,3 +46,5 @@ pub mod accuracy;
 pub mod commands;
 #[cfg(feature = "inspector")]
 pub mod inspector;
+#[cfg(feature = "lessons")]
+pub mod lessons;

@@ -11,6 +11,7 @@ mod files;
 mod forest;
 mod gallery;
 mod inspect;
+pub mod lesson;
 mod options;
 mod output;
 mod picture;
@@ -22,6 +23,7 @@ mod schema;
 mod sheet;
 mod step;
 mod trees;
+mod typeset;
 
 use std::ffi::OsString;
 
@@ -63,6 +65,7 @@ enum Command {
     Accuracy(accuracy::Args),
     Check(check::Args),
     Schema(schema::Args),
+    Typeset(typeset::Args),
     Completions(completions::Args),
 }
 
@@ -95,6 +98,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Schema(args) => schema::run(&args),
+        Command::Typeset(args) => typeset::run(&args),
         Command::Completions(args) => completions::run(&args),
     };
     match done {

@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-fn raytree(args: &[&str]) -> (String, String) {
+pub(crate) fn raytree(args: &[&str]) -> (String, String) {
     raytree_with(args, "")
 }
 
@@ -44,9 +44,13 @@ fn content(comment: &str) -> String {
     }
 }
 
-#[test]
-fn every_block_is_up_to_date() {
-    let page = std::fs::read_to_string("README.md").unwrap();
+/// Whether pages are written anew.
+pub(crate) fn is_updating() -> bool {
+    std::env::var_os("UPDATE_PAGES").is_some()
+}
+
+/// A page with each block below an `output` or `code` comment made anew by `content`.
+pub(crate) fn refreshed(page: &str, content: impl Fn(&str) -> String) -> String {
     let mut made = String::new();
     let mut lines = page.lines().peekable();
     while let Some(line) = lines.next() {
@@ -61,10 +65,21 @@ fn every_block_is_up_to_date() {
             made += "```\n";
         }
     }
-    if std::env::var_os("UPDATE_PAGES").is_some() {
-        std::fs::write("README.md", &made).unwrap();
+    made
+}
+
+/// Requires that a file holds these bytes, or writes them.
+pub(crate) fn require(file: &str, made: &[u8]) {
+    if is_updating() {
+        std::fs::write(file, made).unwrap();
     }
-    assert!(page == made || std::env::var_os("UPDATE_PAGES").is_some(), "README.md: UPDATE_PAGES=1 cargo test pages");
+    assert!(std::fs::read(file).is_ok_and(|there| there == made), "{file}: UPDATE_PAGES=1 cargo test pages");
+}
+
+#[test]
+fn every_block_is_up_to_date() {
+    let page = std::fs::read_to_string("README.md").unwrap();
+    require("README.md", refreshed(&page, content).as_bytes());
 }
 
 /// The page's picture is what its first command writes.
@@ -74,9 +89,5 @@ fn the_first_picture_is_up_to_date() {
     let file = folder.path().join("sheet.png");
     let (tree, _) = raytree(&["sheet", "scenes/whitted.json", "mirrored glass ball", "-o", file.to_str().unwrap()]);
     assert_eq!(tree, raytree(&["pixel", "scenes/whitted.json", "mirrored glass ball"]).0);
-    let made = std::fs::read(&file).unwrap();
-    if std::env::var_os("UPDATE_PAGES").is_some() {
-        std::fs::write("docs/sheet.png", &made).unwrap();
-    }
-    assert!(std::fs::read("docs/sheet.png").unwrap() == made, "docs/sheet.png: UPDATE_PAGES=1 cargo test pages");
+    require("docs/sheet.png", &std::fs::read(&file).unwrap());
 }

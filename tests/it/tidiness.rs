@@ -99,6 +99,18 @@ fn nothing_is_left_unfinished() {
 }
 
 #[test]
+fn the_course_is_finished_but_for_what_students_write() {
+    for (path, source) in sources("lessons") {
+        let is_exercise = path.ends_with("exercise.rs");
+        for word in ["todo!(", "unimplemented!(", "FIXME", "XXX"] {
+            assert!(!source.contains(word) || (is_exercise && word == "todo!("), "{path:?} contains {word}");
+        }
+        let long = source.lines().position(|line| line.chars().count() > 130);
+        assert_eq!(long, None, "{path:?} has a line that nobody can read");
+    }
+}
+
+#[test]
 fn platform_mathematics_stays_out() {
     // sqrt is rounded correctly everywhere; the rest comes from libm.
     let functions = [

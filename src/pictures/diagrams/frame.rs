@@ -16,7 +16,7 @@ pub(super) const SMALL: f64 = 12.0;
 pub(super) const MARGIN: f64 = 14.0;
 
 /// A drawing with a heading, and the room that is left for what follows.
-pub(super) fn begin(size: DVec2, title: &str, note: &str, theme: &Theme) -> (Drawing, Rect) {
+pub(crate) fn begin(size: DVec2, title: &str, note: &str, theme: &Theme) -> (Drawing, Rect) {
     let mut drawing = Drawing::new(size.x, size.y, theme.background, title);
     let width = size.x - 2.0 * MARGIN;
     let mut y = MARGIN;
@@ -115,7 +115,7 @@ pub(super) fn swatch(drawing: &mut Drawing, rect: Rect, rgb: [f64; 3], theme: &T
 }
 
 /// `words`, with an ellipsis for its middle where they are wider than `width`: names differ at both ends.
-pub(in crate::pictures) fn elided(words: &str, text: &Text, width: f64) -> String {
+pub(crate) fn elided(words: &str, text: &Text, width: f64) -> String {
     if text.width(words) <= width {
         return words.to_owned();
     }

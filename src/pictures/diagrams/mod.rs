@@ -33,10 +33,16 @@ use crate::scene::Scene;
 use crate::tree::{NoSuchNode, NodePath, RayNode, RayTree};
 
 pub use contact::contact_sheet;
+#[cfg(feature = "lessons")]
+pub(crate) use frame::begin;
+#[cfg(any(feature = "lessons", feature = "pictures"))]
+pub(crate) use frame::elided;
 #[cfg(feature = "pictures")]
-pub(super) use frame::{elided, light};
+pub(super) use frame::light;
 pub use numbers::{shown, shown_vector, tex};
 pub use parting::parting;
+#[cfg(feature = "lessons")]
+pub(crate) use sketch::Sketch;
 pub use subject::Chosen;
 
 /// What a diagram shows.

@@ -11,10 +11,10 @@ use crate::pictures::theme::Theme;
 const LABEL: f64 = 13.0;
 
 /// A picture in the making. Labels are written by [`Sketch::finish`].
-pub(super) struct Sketch<'a> {
-    pub(super) drawing: &'a mut Drawing,
-    pub(super) theme: &'a Theme,
-    pub(super) room: Rect,
+pub(crate) struct Sketch<'a> {
+    pub(crate) drawing: &'a mut Drawing,
+    pub(crate) theme: &'a Theme,
+    pub(crate) room: Rect,
     /// The labels, and the points that lines lead to from labels that stand far off.
     wanted: Vec<(Wanted, Option<DVec2>)>,
     obstacles: Vec<Rect>,
@@ -22,17 +22,17 @@ pub(super) struct Sketch<'a> {
 
 impl<'a> Sketch<'a> {
     /// An empty picture in `room`.
-    pub(super) fn new(drawing: &'a mut Drawing, room: Rect, theme: &'a Theme) -> Self {
+    pub(crate) fn new(drawing: &'a mut Drawing, room: Rect, theme: &'a Theme) -> Self {
         Sketch { drawing, theme, room, wanted: Vec::new(), obstacles: Vec::new() }
     }
 
     /// The part of a line that is seen.
-    pub(super) fn cut(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
+    pub(crate) fn cut(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
         self.room.clip(a, b)
     }
 
     /// Draws a line; labels keep away from it.
-    pub(super) fn line(&mut self, a: DVec2, b: DVec2, pen: Pen) {
+    pub(crate) fn line(&mut self, a: DVec2, b: DVec2, pen: Pen) {
         if let Some((a, b)) = self.cut(a, b) {
             self.drawing.line(a, b, pen);
             self.obstacles.extend(cover(&[a, b]));
@@ -40,14 +40,14 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws a thin line that labels may touch.
-    pub(super) fn faint(&mut self, a: DVec2, b: DVec2, pen: Pen) {
+    pub(crate) fn faint(&mut self, a: DVec2, b: DVec2, pen: Pen) {
         if let Some((a, b)) = self.cut(a, b) {
             self.drawing.line(a, b, pen);
         }
     }
 
     /// Draws an arrow, without its head where that is outside.
-    pub(super) fn arrow(&mut self, a: DVec2, b: DVec2, pen: Pen) {
+    pub(crate) fn arrow(&mut self, a: DVec2, b: DVec2, pen: Pen) {
         let Some((p, q)) = self.cut(a, b) else { return };
         if q.distance(b) < 0.01 {
             self.drawing.arrow(p, q, pen)
@@ -58,7 +58,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws a ray from `a` to `b` with a head on the way.
-    pub(super) fn ray(&mut self, a: DVec2, b: DVec2, pen: Pen) {
+    pub(crate) fn ray(&mut self, a: DVec2, b: DVec2, pen: Pen) {
         if let Some((a, b)) = self.cut(a, b) {
             self.drawing.directed(a, b, 0.5, pen);
             self.obstacles.extend(cover(&[a, b]));
@@ -66,12 +66,12 @@ impl<'a> Sketch<'a> {
     }
 
     /// Marks a point.
-    pub(super) fn dot(&mut self, at: DVec2, color: Color) {
+    pub(crate) fn dot(&mut self, at: DVec2, color: Color) {
         self.disk(at, 4.0, color);
     }
 
     /// Marks a point with a small dot that stands off its ground.
-    pub(super) fn disk(&mut self, at: DVec2, radius: f64, color: Color) {
+    pub(crate) fn disk(&mut self, at: DVec2, radius: f64, color: Color) {
         if self.sees(at) {
             self.drawing.disk(at, radius + 1.2, self.theme.background);
             self.drawing.disk(at, radius, color);
@@ -80,24 +80,24 @@ impl<'a> Sketch<'a> {
     }
 
     /// Whether a point lies within.
-    pub(super) fn sees(&self, at: DVec2) -> bool {
+    pub(crate) fn sees(&self, at: DVec2) -> bool {
         self.room.grown(0.5).contains(Rect { min: at, max: at })
     }
 
     /// Keeps labels off what else was drawn.
-    pub(super) fn keep_off(&mut self, points: &[DVec2]) {
+    pub(crate) fn keep_off(&mut self, points: &[DVec2]) {
         self.obstacles.extend(cover(points));
     }
 
     /// Keeps labels off an arc from one direction to another.
-    pub(super) fn keep_off_arc(&mut self, at: DVec2, from: DVec2, to: DVec2, radius: f64) {
+    pub(crate) fn keep_off_arc(&mut self, at: DVec2, from: DVec2, to: DVec2, radius: f64) {
         let on_arc = |i: u32| at + radius * from.lerp(to, f64::from(i) / 12.0).normalize_or_zero();
         let points: Vec<DVec2> = (0..=12).map(on_arc).collect();
         self.keep_off(&points);
     }
 
     /// Draws the mark of a break in the line from `a` to `b`: two short slanted strokes with the ground between.
-    pub(super) fn broken(&mut self, a: DVec2, b: DVec2, color: Color) {
+    pub(crate) fn broken(&mut self, a: DVec2, b: DVec2, color: Color) {
         let Some(along) = (b - a).try_normalize() else { return };
         let (middle, across) = (a.midpoint(b), along.perp());
         let stroke = |at: DVec2| [at - 7.0 * across - 2.5 * along, at + 7.0 * across + 2.5 * along];
@@ -110,19 +110,19 @@ impl<'a> Sketch<'a> {
     }
 
     /// Names a point.
-    pub(super) fn name(&mut self, at: DVec2, words: impl Into<Words>) {
+    pub(crate) fn name(&mut self, at: DVec2, words: impl Into<Words>) {
         self.name_in(at, words, self.theme.ink);
     }
 
     /// Names a point in a colour.
-    pub(super) fn name_in(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
+    pub(crate) fn name_in(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
         if self.sees(at) {
             self.want(words.into(), color, around(at, 9.5), Some(at));
         }
     }
 
     /// Names a point, rather on its left or rather on its right.
-    pub(super) fn name_aside(&mut self, at: DVec2, words: impl Into<Words>, color: Color, on_the_left: bool) {
+    pub(crate) fn name_aside(&mut self, at: DVec2, words: impl Into<Words>, color: Color, on_the_left: bool) {
         if self.sees(at) {
             let wrong = if on_the_left { Align::Start } else { Align::End };
             let mut places = around(at, 9.5);
@@ -132,12 +132,12 @@ impl<'a> Sketch<'a> {
     }
 
     /// Names a place that is no point, so that no line leads to it.
-    pub(super) fn name_without_line(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
+    pub(crate) fn name_without_line(&mut self, at: DVec2, words: impl Into<Words>, color: Color) {
         self.want(words.into(), color, around(at, 6.0), None);
     }
 
     /// Names what lies along the line from `a` to `b`, of what is seen of it.
-    pub(super) fn beside(&mut self, a: DVec2, b: DVec2, words: impl Into<Words>, color: Color) {
+    pub(crate) fn beside(&mut self, a: DVec2, b: DVec2, words: impl Into<Words>, color: Color) {
         let Some((a, b)) = self.cut(a, b) else { return };
         let across = (b - a).try_normalize().unwrap_or(DVec2::X).perp();
         let words = words.into();
@@ -159,7 +159,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Names an area around `middle`: the label stands on it, or near it with a line to it.
-    pub(super) fn in_area(&mut self, middle: DVec2, words: impl Into<Words>, color: Color) {
+    pub(crate) fn in_area(&mut self, middle: DVec2, words: impl Into<Words>, color: Color) {
         if self.sees(middle) {
             let on_it = Placement { of: Some(middle), at: middle, align: Align::Middle, level: Level::Middle };
             let places = [on_it].into_iter().chain(around(middle, 14.0)).collect();
@@ -168,24 +168,24 @@ impl<'a> Sketch<'a> {
     }
 
     /// Wants a label at the best of some places, with a line from `of` where it is far.
-    pub(super) fn want(&mut self, words: Words, color: Color, places: Vec<Placement>, of: Option<DVec2>) {
+    pub(crate) fn want(&mut self, words: Words, color: Color, places: Vec<Placement>, of: Option<DVec2>) {
         self.wanted.push((Wanted { words, text: Text::new(LABEL, color), places }, of));
     }
 
     /// Draws a length from `a` to `b`, moved aside, and names it.
-    pub(super) fn length(&mut self, a: DVec2, b: DVec2, aside: f64, words: Words, color: Color) {
+    pub(crate) fn length(&mut self, a: DVec2, b: DVec2, aside: f64, words: Words, color: Color) {
         let [p, q] = self.drawing.dimension(a, b, aside, Pen::new(color, 1.3));
         self.obstacles.extend(cover(&[a, p, q, b]));
         self.beside(p, q, words, color);
     }
 
     /// A dashed thin pen for what only helps.
-    pub(super) fn guide(&self) -> Pen {
+    pub(crate) fn guide(&self) -> Pen {
         Pen::new(self.theme.axis, 1.1).dashed(Dash::Short)
     }
 
     /// Writes all labels.
-    pub(super) fn finish(self) {
+    pub(crate) fn finish(self) {
         let (wanted, points): (Vec<Wanted>, Vec<Option<DVec2>>) = self.wanted.into_iter().unzip();
         let rects = self.drawing.label_all(&wanted, self.room, &self.obstacles);
         let pen = Pen::new(self.theme.axis, 0.8);

@@ -8,6 +8,7 @@
 
 mod canvas;
 mod fonts;
+mod formulas;
 mod item;
 mod marks;
 mod maths;
@@ -23,6 +24,7 @@ use glam::DVec2;
 use item::Item;
 
 pub use fonts::Face;
+pub use formulas::Formulas;
 pub use item::{Raster, Sampling};
 pub use marks::{MOST_HATCHES, angle_of};
 pub use path::{Path, Segment};

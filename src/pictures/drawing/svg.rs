@@ -11,7 +11,7 @@ use super::fonts::GlyphRef;
 use super::item::{Item, Raster, Sampling};
 use super::path::{Path, Segment};
 use super::pen::Color;
-use super::text::Placed;
+use super::text::{Placed, Text, Words};
 use super::{Drawing, canvas};
 
 /// The SVG file.
@@ -223,3 +223,48 @@ pub(crate) fn escape(text: &str) -> String {
 fn fnv1a(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))
 }
+
+/// A formula in TeX as an SVG element for a line of text: in ems of that text, in its colour, standing on its baseline. The
+/// outlines of its glyphs go to `glyphs`, each once; [`glyph_definitions`] writes them into the page.
+pub(super) fn formula(tex: &str, is_display: bool, glyphs: &mut BTreeMap<String, String>) -> Result<String, String> {
+    let words = if is_display { Words::default().display_tex(tex) } else { Words::default().tex(tex) };
+    let run = Text::new(EM, Color::BLACK).set(&words);
+    if let Some(reason) = run.refused {
+        return Err(reason);
+    }
+    let ink = run.ink.ok_or_else(|| format!("the formula {tex}: there is nothing in it"))?.grown(2.0);
+    let mut body = Body { text: String::new(), definitions: std::mem::take(glyphs) };
+    for same in run.glyphs.chunk_by(|a, b| a.size == b.size && a.glyph.face == b.glyph.face) {
+        body.glyphs(same, DVec2::ZERO, DVec2::X);
+    }
+    for piece in &run.pieces {
+        let _ = write!(body.text, "<path d=\"{}\"/>", data(piece));
+    }
+    *glyphs = body.definitions;
+    // As wide as its advance at least, so that what follows keeps its distance.
+    let (left, right) = (ink.min.x.min(0.0), ink.max.x.max(run.advance));
+    let (width, height) = (right - left, ink.size().y);
+    Ok(format!(
+        "<svg class=\"formula\" role=\"img\" aria-label=\"{}\" \
+         style=\"width:{}em;height:{}em;vertical-align:{}em;overflow:visible\" \
+         viewBox=\"{} {} {} {}\" fill=\"currentColor\">{}</svg>",
+        escape(tex),
+        precise(width / EM),
+        precise(height / EM),
+        precise(-ink.max.y / EM),
+        number(left),
+        number(ink.min.y),
+        number(width),
+        number(height),
+        body.text
+    ))
+}
+
+/// An SVG element that shows nothing and defines glyphs for formulas on the same page.
+pub(super) fn glyph_definitions(glyphs: &BTreeMap<String, String>) -> String {
+    let all: String = glyphs.iter().map(|(id, what)| what.replacen("ID", id, 1).trim_end().to_owned()).collect();
+    format!("<svg style=\"position:absolute;width:0;height:0\" aria-hidden=\"true\"><defs>{all}</defs></svg>")
+}
+
+/// The em of a formula's own units.
+const EM: f64 = 100.0;

@@ -1,0 +1,159 @@
+//! What a function gave back, in a form that can be compared and told.
+
+use glam::DVec3;
+
+use super::words::{full, shown};
+
+/// Numbers count as equal up to this, or up to this share of the expected one where that is larger than 1.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// What a function gave back: one or more named values, or nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// Nothing, and what that means: `no hit`.
+    Nothing(&'static str),
+    /// Values with their names.
+    Values(Vec<(&'static str, Value)>),
+}
+
+/// A value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A vector or a point.
+    Vector(DVec3),
+    /// A yes or a no.
+    Truth(bool),
+}
+
+impl From<f64> for Value {
+    fn from(x: f64) -> Self {
+        Value::Number(x)
+    }
+}
+
+impl From<DVec3> for Value {
+    fn from(v: DVec3) -> Self {
+        Value::Vector(v)
+    }
+}
+
+impl From<bool> for Value {
+    fn from(yes: bool) -> Self {
+        Value::Truth(yes)
+    }
+}
+
+impl Value {
+    /// Whether this is `expected` within [`TOLERANCE`]. NaN agrees with NaN, an infinity with itself.
+    fn agrees(self, expected: Value) -> bool {
+        let near =
+            |x: f64, y: f64, size: f64| x == y || (x.is_nan() && y.is_nan()) || (x - y).abs() <= TOLERANCE * size;
+        match (self, expected) {
+            (Value::Number(x), Value::Number(y)) => near(x, y, y.abs().max(1.0)),
+            (Value::Vector(v), Value::Vector(w)) => {
+                let size = w.abs().max_element().max(1.0);
+                (0..3).all(|k| near(v[k], w[k], size))
+            }
+            (Value::Truth(x), Value::Truth(y)) => x == y,
+            _ => false,
+        }
+    }
+
+    fn told(self, number: fn(f64) -> String) -> String {
+        match self {
+            Value::Number(x) => number(x),
+            Value::Vector(v) => format!("({})", v.to_array().map(number).join(", ")),
+            Value::Truth(yes) => yes.to_string(),
+        }
+    }
+}
+
+impl Answer {
+    /// One value with its name.
+    pub fn of(name: &'static str, value: impl Into<Value>) -> Self {
+        Answer::Values(vec![(name, value.into())])
+    }
+
+    /// The answer and one value more.
+    pub fn and(self, name: &'static str, value: impl Into<Value>) -> Self {
+        match self {
+            Answer::Nothing(_) => Answer::of(name, value),
+            Answer::Values(mut values) => {
+                values.push((name, value.into()));
+                Answer::Values(values)
+            }
+        }
+    }
+
+    /// What `answer` makes of what is there, or nothing in these words.
+    pub fn maybe<T>(given: Option<T>, nothing: &'static str, answer: impl FnOnce(T) -> Answer) -> Self {
+        given.map_or(Answer::Nothing(nothing), answer)
+    }
+
+    /// Whether this is the expected answer within [`TOLERANCE`].
+    pub fn agrees(&self, expected: &Answer) -> bool {
+        match (self, expected) {
+            (Answer::Nothing(_), Answer::Nothing(_)) => true,
+            (Answer::Values(own), Answer::Values(other)) => {
+                own.len() == other.len() && own.iter().zip(other).all(|((a, x), (b, y))| a == b && x.agrees(*y))
+            }
+            _ => false,
+        }
+    }
+
+    /// The value with a name.
+    fn value(&self, name: &str) -> Option<Value> {
+        match self {
+            Answer::Nothing(_) => None,
+            Answer::Values(values) => values.iter().find(|(own, _)| *own == name).map(|(_, value)| *value),
+        }
+    }
+
+    /// The number with a name, if it is one that can be drawn.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.value(name)? {
+            Value::Number(x) if x.abs() < 1e6 => Some(x),
+            _ => None,
+        }
+    }
+
+    /// The vector with a name, if it is one that can be drawn.
+    pub fn vector(&self, name: &str) -> Option<DVec3> {
+        match self.value(name)? {
+            Value::Vector(v) if v.abs().max_element() < 1e6 && !v.is_nan() => Some(v),
+            _ => None,
+        }
+    }
+
+    /// The yes or no with a name.
+    pub fn truth(&self, name: &str) -> Option<bool> {
+        match self.value(name)? {
+            Value::Truth(yes) => Some(yes),
+            _ => None,
+        }
+    }
+
+    fn told(&self, number: fn(f64) -> String) -> String {
+        match self {
+            Answer::Nothing(words) => format!("None ({words})"),
+            Answer::Values(values) => {
+                let told = values.iter().map(|(name, value)| format!("{name} = {}", value.told(number)));
+                told.collect::<Vec<_>>().join(", ")
+            }
+        }
+    }
+
+    /// Both answers in words: with six digits, or with all where six would read the same.
+    pub fn told_beside(&self, other: &Answer) -> [String; 2] {
+        let short = [self.told(shown), other.told(shown)];
+        if short[0] == short[1] && self != other { [self.told(full), other.told(full)] } else { short }
+    }
+}
+
+impl std::fmt::Display for Answer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.told(shown))
+    }
+}
