@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::answer::Refusal;
 use crate::pictures::diagrams::{Chosen, Input, Kind, diagram};
 use crate::pictures::theme::Theme;
-use crate::scene::Scene;
+use crate::scene::{Scene, Shape};
 use crate::tree::{NodePath, RayTree};
 
 /// Which diagram.
@@ -20,6 +20,46 @@ pub(super) struct Wanted {
 /// The room of a diagram about one ray, in user units: that of its pane on a small screen, nearly, so that its text is
 /// readable there. What shows the whole tree takes more, so as to fold less.
 pub const PANE: DVec2 = DVec2::new(620.0, 390.0);
+
+impl Wanted {
+    /// What the diagram is of, as a query.
+    pub(super) fn about(&self) -> String {
+        let mut about = format!("kind={}", self.kind);
+        if let Some(Chosen { shape, primitive }) = self.chosen {
+            about += &format!("&shape={shape}");
+            about += &primitive.map_or(String::new(), |primitive| format!("&primitive={primitive}"));
+        }
+        about
+    }
+}
+
+/// The diagram of the test that a ray's hit was found by; of a ray that hits nothing the section.
+///
+/// # Errors
+/// [`Refusal`] where there is no such node.
+pub(super) fn of_the_hit(
+    scene: &Scene,
+    tree: &RayTree,
+    node: NodePath,
+    theme: &'static Theme,
+) -> Result<Wanted, Refusal> {
+    let ray = node.find(tree).map_err(|no| Refusal::Why(no.to_string()))?;
+    let hit = ray.hit.as_ref().and_then(|hit| Some((hit, &scene.objects.get(hit.shape as usize)?.shape)));
+    let (kind, chosen) = match hit {
+        None => (Kind::Section, None),
+        Some((hit, shape)) => {
+            let (kind, primitive) = match shape {
+                Shape::Plane { .. } => (Kind::Plane, None),
+                Shape::Sphere { .. } => (Kind::Sphere, None),
+                Shape::Box { .. } => (Kind::Box, None),
+                Shape::Triangle { .. } => (Kind::Triangle, None),
+                Shape::Mesh(_) => (Kind::Triangle, hit.primitive),
+            };
+            (kind, Some(Chosen { shape: hit.shape, primitive }))
+        }
+    };
+    Ok(Wanted { kind, node, chosen, theme })
+}
 
 /// The diagram as SVG.
 ///

@@ -10,6 +10,7 @@
 //! | `GET /api/scenes/ID/overlay?kind=` | bands of one f32 a pixel: `rays`, `depth`, `tests`, `stage`, `time` |
 //! | `GET /api/scenes/ID/recording?x=&y=` | the recording of a pixel |
 //! | `GET /api/scenes/ID/diagram?x=&y=&kind=&node=` | SVG, or 422 with `why`; also `shape`, `primitive`, `theme` |
+//! | the same with `kind=hit` | that of the shape that is hit; the header `x-raytree-diagram` says which |
 //! | `GET /api/scenes/ID/difference?x=&y=&from=ID` | where the pixel's tree parts from that in another scene |
 //! | `GET /api/scenes/ID/export`, `?pixel=x,y` | the page as one file with some pixels, else with those that have names |
 
@@ -20,7 +21,7 @@ use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::{Path, RawQuery, State};
 use axum::routing::{get, post};
-use hyper::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, HeaderValue};
+use hyper::header::{CONTENT_DISPOSITION, CONTENT_LENGTH, HeaderName, HeaderValue};
 use hyper::{HeaderMap, Request, Response, StatusCode};
 use serde::Deserialize;
 use tokio::sync::Semaphore;
@@ -29,7 +30,7 @@ use super::answer::{Answer, Refusal, bytes, json};
 use super::assets;
 use super::bands::Bands;
 use super::description::Description;
-use super::diagram::{Wanted, svg};
+use super::diagram::{Wanted, of_the_hit, svg};
 use super::export::{self, Kept};
 use super::geometry::Geometry;
 use super::query::Query;
@@ -203,10 +204,12 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
     let held = site.scene(&id)?;
     let query = Query::parse(query.as_deref(), &["x", "y", "kind", "node", "shape", "primitive", "theme"])?;
     let pixel = query.pixel(held.loaded.scene.image)?;
-    let kind = query.one("kind")?.unwrap_or_default();
-    let kind = kind
-        .parse()
-        .map_err(|_| Refusal::bad("there is no such kind of diagram", "`raytree diagram --help` lists them"))?;
+    let kind = match query.one("kind")?.unwrap_or_default() {
+        "hit" => None,
+        kind => Some(kind.parse().map_err(|_| {
+            Refusal::bad("there is no such kind of diagram", "`raytree diagram --help` lists them; also `hit`")
+        })?),
+    };
     let node = query.one("node")?.unwrap_or("root").parse();
     let node = node.map_err(|_| Refusal::bad("there is no such node", "root.reflected.shadows[0]"))?;
     let chosen = match (query.number("shape")?, query.number("primitive")?) {
@@ -222,11 +225,21 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
     let inspector = Arc::clone(&site.inspector);
     let work = move |stop: &_| {
         let tree = recording::tree(&inspector, &held, pixel, stop)?;
-        let svg = svg(&held.loaded.scene, &tree.tree, Wanted { kind, node, chosen, theme })?;
-        Ok(bytes(svg, "image/svg+xml"))
+        let scene = &held.loaded.scene;
+        let Some(kind) = kind else {
+            let wanted = of_the_hit(scene, &tree.tree, node, theme)?;
+            let about = wanted.about();
+            let mut response = bytes(svg(scene, &tree.tree, wanted)?, "image/svg+xml");
+            response.headers_mut().extend(HeaderValue::try_from(about).ok().map(|about| (ABOUT, about)));
+            return Ok(response);
+        };
+        Ok(bytes(svg(scene, &tree.tree, Wanted { kind, node, chosen, theme })?, "image/svg+xml"))
     };
     site.inspector.work().quick(work).await?
 }
+
+/// What a diagram of the kind `hit` is of.
+const ABOUT: HeaderName = HeaderName::from_static("x-raytree-diagram");
 
 async fn difference(State(site): State<Site>, Path(id): Path<String>, RawQuery(query): RawQuery) -> Answer {
     let held = site.scene(&id)?;

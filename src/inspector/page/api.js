@@ -84,6 +84,15 @@ class ServerApi {
         return (await answered(await fetch(`/api/scenes/${id}/diagram?${query({ x, y, ...about })}`, { signal }))).text();
     }
 
+    /** A diagram and what it is of: for the kind `hit` that of the shape that the ray hits. */
+    async diagramAndKind(id, x, y, wish) {
+        const response = await answered(await fetch(`/api/scenes/${id}/diagram?${query({ x, y, ...wish })}`));
+        const shown = new URLSearchParams(response.headers.get('x-raytree-diagram') ?? '');
+        const about = { kind: shown.get('kind') ?? wish.kind, node: wish.node };
+        for (const name of ['shape', 'primitive']) if (shown.has(name)) about[name] = Number(shown.get(name));
+        return { about: { ...about, theme: wish.theme }, svg: await response.text() };
+    }
+
     async difference(id, from, x, y, signal) {
         return (await answered(await fetch(`/api/scenes/${id}/difference?${query({ x, y, from })}`, { signal }))).json();
     }

@@ -176,6 +176,7 @@ class Inspector {
             while (this.wish) {
                 const wish = this.wish;
                 this.wish = undefined;
+                if (wish.step === undefined && wish.node === undefined && !wish.keepsPlace) this.guessDiagram(wish);
                 const recording = await this.withScene((scene) => this.api.recording(scene.id, wish.x, wish.y));
                 await this.showRecording(recording, wish);
             }
@@ -187,6 +188,13 @@ class Inspector {
         } finally {
             this.isFetching = false;
         }
+    }
+
+    /** Has the diagram drawn while the recording is made: the camera ray shows the same step as the last one did. */
+    guessDiagram({ x, y }) {
+        if (!this.player) return;
+        const place = { 0: 'start', [this.player.steps.length - 1]: 'end' }[this.step];
+        this.diagram.guess(this.scene.id, [x, y], place);
     }
 
     async showRecording(recording, { x, y, isPassing, step, node, keepsPlace }) {

@@ -15,24 +15,8 @@ function sendsRaysOn(ray) {
     return Boolean(ray.reflected ?? ray.refracted);
 }
 
-/** Cuts the margin off a drawing, but for a little. */
-function cropToContents(root) {
-    if (root.all) return;
-    const all = root.viewBox.baseVal;
-    const parts = [...root.children].filter(
-        (part) => part.getBBox && !(part.localName === 'rect' && part.width.baseVal.value >= all.width),
-    );
-    const boxes = parts.map((part) => part.getBBox()).filter((box) => box.width > 0 || box.height > 0);
-    root.all = { x: all.x, y: all.y, width: all.width, height: all.height };
-    if (!boxes.length) return;
-    const margin = 8;
-    const left = Math.max(all.x, Math.min(...boxes.map((box) => box.x)) - margin);
-    const top = Math.max(all.y, Math.min(...boxes.map((box) => box.y)) - margin);
-    const right = Math.min(all.x + all.width, Math.max(...boxes.map((box) => box.x + box.width)) + margin);
-    const bottom = Math.min(all.y + all.height, Math.max(...boxes.map((box) => box.y + box.height)) + margin);
-    if (!(right > left && bottom > top)) return;
-    root.all = { x: left, y: top, width: right - left, height: bottom - top };
-    root.setAttribute('viewBox', `${left} ${top} ${right - left} ${bottom - top}`);
+function parsed(svg) {
+    return new DOMParser().parseFromString(joinLetters(svg), 'image/svg+xml').documentElement;
 }
 
 /** The pane. `onNode(index)` hears which ray was clicked, `onSpace(isOn)` whether the 3D view is to show. */
@@ -162,6 +146,29 @@ export class DiagramPane {
         return { kind: 'section', node: nodes[node].path, theme };
     }
 
+    /**
+     * Asks for what the camera ray of a pixel will show, before its recording is there: `place` is `start` or `end`, or nothing
+     * for the step of its hit.
+     */
+    guess(sceneId, pixel, place) {
+        if (this.kind === '3d' || this.kind === 'surface' || !this.api.canTrace) return;
+        const theme = document.documentElement.dataset.theme;
+        const ofStep = { start: 'section', end: 'tree' }[place] ?? 'hit';
+        const kind = this.kind === 'step' ? ofStep : this.kind;
+        this.guessed = { of: `${sceneId} ${pixel}`, done: this.fetchGuess(sceneId, pixel, { kind, node: 'root', theme }) };
+    }
+
+    async fetchGuess(sceneId, pixel, wish) {
+        const known = wish.kind !== 'hit' && this.kept.has(this.keyOf(wish, sceneId, pixel));
+        if (known) return;
+        try {
+            const { about, svg } = await this.api.diagramAndKind(sceneId, ...pixel, wish);
+            this.keep(this.keyOf(about, sceneId, pixel), { root: parsed(svg) });
+        } catch {
+            // It is asked for again by those who want it, who say what is wrong.
+        }
+    }
+
     /** The surface that a ray meets, or, if that sends no ray on, the one that it comes from. */
     ofSurface(node, theme) {
         for (let at = node; at >= 0; at = this.player.nodes[at].parent) {
@@ -183,6 +190,12 @@ export class DiagramPane {
             return;
         }
         this.wantedKey = key;
+        if (!this.kept.has(key) && this.guessed?.of === `${this.sceneId} ${this.pixel}`) {
+            const { done } = this.guessed;
+            this.guessed = undefined;
+            await done;
+            if (this.wantedKey !== key) return;
+        }
         const kept = this.kept.get(key);
         if (kept) {
             this.put(key, kept);
@@ -197,15 +210,14 @@ export class DiagramPane {
         if (got) this.put(key, got);
     }
 
-    keyOf(about) {
-        return `${this.sceneId} ${this.pixel} ${JSON.stringify(about)}`;
+    keyOf(about, sceneId = this.sceneId, pixel = this.pixel) {
+        return `${sceneId} ${pixel} ${JSON.stringify(about)}`;
     }
 
     async fetch(key, about) {
         try {
             const svg = await this.api.diagram(this.sceneId, ...this.pixel, about);
-            const document = new DOMParser().parseFromString(joinLetters(svg), 'image/svg+xml');
-            this.keep(key, { root: document.documentElement });
+            this.keep(key, { root: parsed(svg) });
         } catch (error) {
             if (error.status === undefined || error.status === 404) this.keep(key, { why: error.message }, true);
             else this.keep(key, { why: error.message });
@@ -236,7 +248,8 @@ export class DiagramPane {
         root.removeAttribute('width');
         root.removeAttribute('height');
         this.host.replaceChildren(root);
-        cropToContents(root);
+        const { x, y, width, height } = root.viewBox.baseVal;
+        root.all = { x, y, width, height };
         root.setAttribute('role', 'img');
         // The drawing is one picture with one description: what is written in it is no element of its own.
         for (const part of root.querySelectorAll('g[aria-label]')) part.removeAttribute('aria-label');

@@ -178,6 +178,12 @@ fn recordings_and_diagrams_are_those_of_the_library() {
             let tree = tree(&tracer, &loaded, [*x, *y], Keep::Steps);
             let recording = site.good(&format!("/api/scenes/{id}/recording?x={x}&y={y}"));
             assert_eq!(recording.text(), Recording::of(&loaded.scene, &tree).to_json());
+            // What the camera ray hits, by its own name and by that of its shape.
+            let of_the_hit = site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&kind=hit&theme=dark"));
+            let about = of_the_hit.header("x-raytree-diagram").unwrap().to_owned();
+            let same = site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&{about}&theme=dark"));
+            assert_eq!(of_the_hit.text(), same.text(), "{about}");
+            assert_eq!(about.contains("shape="), tree.root.hit.is_some(), "{about}");
             for (path, node) in tree.nodes().into_iter().take(4) {
                 let chosen = node.hit.as_ref().map(|hit| Chosen { shape: hit.shape, primitive: hit.primitive });
                 for kind in Kind::ALL {
