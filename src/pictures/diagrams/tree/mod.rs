@@ -265,7 +265,7 @@ fn weight_text(theme: &Theme) -> Text {
     Text::new(SMALL - 1.0, theme.muted)
 }
 
-pub(super) fn weight_words(node: &RayNode) -> Option<String> {
+fn weight_words(node: &RayNode) -> Option<String> {
     let w = node.weight?;
     Some(if w[0] == w[1] && w[1] == w[2] { shown(w[0]) } else { shown_vector(w) })
 }
