@@ -25,6 +25,10 @@ pub enum Value {
     Vector(DVec3),
     /// A yes or a no.
     Truth(bool),
+    /// Some of the numbers 0 to 63: bit `i` says whether `i` is among them.
+    Set(u64),
+    /// Any number up to this one. Only expected values are such.
+    AtMost(f64),
 }
 
 impl From<f64> for Value {
@@ -46,6 +50,11 @@ impl From<bool> for Value {
 }
 
 impl Value {
+    /// The set of some numbers; those above 63 are left out.
+    pub fn set(numbers: impl IntoIterator<Item = usize>) -> Self {
+        Value::Set(numbers.into_iter().filter(|i| *i < 64).fold(0, |set, i| set | 1 << i))
+    }
+
     /// Whether this is `expected` within [`TOLERANCE`]. NaN agrees with NaN, an infinity with itself.
     fn agrees(self, expected: Value) -> bool {
         let near =
@@ -57,6 +66,8 @@ impl Value {
                 (0..3).all(|k| near(v[k], w[k], size))
             }
             (Value::Truth(x), Value::Truth(y)) => x == y,
+            (Value::Set(x), Value::Set(y)) => x == y,
+            (Value::Number(x), Value::AtMost(most)) => x <= most,
             _ => false,
         }
     }
@@ -66,8 +77,18 @@ impl Value {
             Value::Number(x) => number(x),
             Value::Vector(v) => format!("({})", v.to_array().map(number).join(", ")),
             Value::Truth(yes) => yes.to_string(),
+            Value::Set(set) => {
+                let told: Vec<String> = members(set).map(|i| i.to_string()).collect();
+                format!("{{{}}}", told.join(", "))
+            }
+            Value::AtMost(most) => format!("at most {}", number(most)),
         }
     }
+}
+
+/// The numbers in a set.
+fn members(set: u64) -> impl Iterator<Item = usize> {
+    (0..64).filter(move |i| set >> i & 1 == 1)
 }
 
 impl Answer {
@@ -131,6 +152,14 @@ impl Answer {
     pub fn truth(&self, name: &str) -> Option<bool> {
         match self.value(name)? {
             Value::Truth(yes) => Some(yes),
+            _ => None,
+        }
+    }
+
+    /// The numbers in the set with a name, in order.
+    pub fn set(&self, name: &str) -> Option<Vec<usize>> {
+        match self.value(name)? {
+            Value::Set(set) => Some(members(set).collect()),
             _ => None,
         }
     }

@@ -9,12 +9,18 @@
 
 mod answer;
 mod attempt;
+mod choices;
+mod hierarchy;
+mod mesh_view;
 pub mod pictures;
 mod report;
 mod task;
 mod words;
 
 pub use answer::{Answer, TOLERANCE, Value};
+pub use choices::{Choice, Reading, depths_and_weights};
+pub use hierarchy::{Build, Builder, Hierarchy, Inside, Item, Nearest, Node, Walk, Walked, hit};
+pub use mesh_view::{MeshView, Rendered};
 pub use report::{Broken, Failure, FailureKind, Lesson, Mistake, Outcome, Report, StageReport};
 pub use task::{Case, Checked, Fault, Picture, Stage, Task, random_cases};
 pub use words::shown;

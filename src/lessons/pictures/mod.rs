@@ -4,6 +4,8 @@
 //! diagram at the left, what is given and what was answered at the right. The true answer is green and solid, the
 //! student's red and dashed.
 
+mod choices;
+mod hierarchy;
 mod page;
 mod plane;
 mod slabs;
@@ -16,6 +18,8 @@ use super::answer::Answer;
 
 use page::Page;
 
+pub use choices::{bars, cost_and_error, crossing};
+pub use hierarchy::{box_area, box_around, counted, nested_boxes, two_groups, two_halves, visited_boxes};
 pub use plane::{plane_from, plane_hit, signed_distance};
 pub use slabs::{box_span, rectangle_span, slab};
 pub use sphere::{parabola, sphere_hit, sphere_normal};
