@@ -1,8 +1,9 @@
 //! Lesson 12, fast: the cases, the known mistakes, the hints.
 
-use std::cell::{LazyCell, RefCell};
+use std::cell::RefCell;
 use std::process::ExitCode;
 use std::rc::Rc;
+use std::sync::OnceLock;
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use raytree::lessons::{
@@ -239,10 +240,10 @@ fn surface_area() -> Task<Aabb> {
     }
 }
 
-/// A wall that stands on the line from `a` to `b`: as good as all of it is crossed by rays at the height 0. No two are
-/// equally high.
+/// A wall that stands on the line from `a` to `b`: as good as all of it is crossed by rays at the height 0. No two of 17 are
+/// equally high, and they are not in order of height.
 fn wall(number: usize, a: DVec2, b: DVec2) -> Item {
-    let top = (0.5 * (a + b)).extend(31.0 + 0.125 * number as f64);
+    let top = (0.5 * (a + b)).extend(31.0 + 0.125 * (5 * number % 17) as f64);
     Item { number, triangle: Triangle { vertices: [a.extend(-1.0), b.extend(-1.0), top] } }
 }
 
@@ -467,9 +468,17 @@ fn split() -> Task<Vec<Item>> {
         }),
         Case::new("two rows, one behind the other", walls(&stairs)),
     ];
+    // In the first of them it matters by what is sorted.
+    let mut told_apart = 5_usize;
     cases.extend(random_cases(1204, 40, |random| {
         let count = 4 + random.below(7);
-        Some(random_walls(random, count)).filter(|items| is_one_cut(items))
+        let items = random_walls(random, count);
+        let by_corner = cut(&items, &[0, 1, 2], |item| item.triangle.vertices[0], true_cost, items.len());
+        if !is_one_cut(&items) || (told_apart > 0 && halves(by_corner) == halves(true_split(&items))) {
+            return None;
+        }
+        told_apart = told_apart.saturating_sub(1);
+        Some(items)
     }));
     Task {
         name: "the cheapest cut",
@@ -761,7 +770,11 @@ impl Way {
         // A box is opened by looking at what is inside.
         let is_opened = |node: &Node| match &node.inside {
             Inside::Items(items) => items.iter().any(|item| walked.tested.contains(&item.number)),
-            Inside::Children(children) => children.iter().any(|child| walked.asked.contains(&child.number())),
+            Inside::Children(children) => {
+                let is_seen =
+                    |child: &Node| [&walked.asked, &walked.visited].iter().any(|seen| seen.contains(&child.number()));
+                children.iter().any(is_seen)
+            }
         };
         let nodes = self.hierarchy.root().walk();
         let opened = nodes.iter().filter(|(node, _)| is_opened(node)).map(|(node, _)| node.number());
@@ -982,6 +995,8 @@ fn nearest() -> Task<Way> {
     // A long slanted wall: its box is entered first, but a short wall stands before it.
     let slanted = [[0.0, 4.0, 6.0, 0.0], [0.5, 3.75, 6.0, 0.25], [1.5, 0.5, 1.5, 1.75], [1.75, 0.5, 1.75, 1.75]];
     add("two long walls around a short one", &walls(&slanted), dvec2(-1.5, 1.0), x(1.0));
+    // In the first of them it matters what is known of the best hit deep below.
+    let mut deep = 10_usize;
     cases.extend(random_cases(1206, 50, |random| {
         let count = 6 + random.below(11);
         let items = random_walls(random, count);
@@ -989,7 +1004,12 @@ fn nearest() -> Task<Way> {
         // Most of them aim at a wall.
         let aim = items[random.below(items.len())].center().truncate();
         let way = Way::new(&items, from, if random.one_in(6) { from - aim } else { (aim - from) / 4.0 })?;
-        way.is_clear().then_some(way)
+        let is_deep = way.sent(visits::best_not_passed) != way.sent(visits::right);
+        if !way.is_clear() || (deep > 0 && !is_deep) {
+            return None;
+        }
+        deep = deep.saturating_sub(1);
+        Some(way)
     }));
     Task {
         name: "through the hierarchy",
@@ -1025,29 +1045,46 @@ fn nearest() -> Task<Way> {
 /// A committed scene with a mesh, what hierarchies made of it, and the last of those, for the picture.
 struct Scenery {
     file: &'static str,
-    view: LazyCell<MeshView, fn() -> MeshView>,
-    known: RefCell<Vec<([usize; 2], Option<Rc<Rendered>>)>>,
+    known: fn() -> &'static Known,
+    tried: RefCell<Vec<([usize; 2], Option<Rc<Rendered>>)>>,
     last: RefCell<Option<Rc<Rendered>>>,
 }
 
+/// What is worked out once, however many students are checked.
+struct Known {
+    view: MeshView,
+    /// What comes of the solution.
+    right: Rendered,
+}
+
+impl Known {
+    fn new(file: &str, text: &str, mesh: &'static [u8]) -> Self {
+        let loaded = scene::load(file, text, &mut |_| Ok(mesh.to_vec()));
+        let view = loaded.ok().and_then(|loaded| MeshView::new(&loaded.scene, 96, 72));
+        let view = view.expect("a committed scene has a mesh");
+        let right = view.render(builds::right, visits::right).expect("the solution ends");
+        Known { view, right }
+    }
+}
+
 impl Scenery {
-    fn new(file: &'static str, view: fn() -> MeshView) -> Rc<Self> {
-        Rc::new(Scenery { file, view: LazyCell::new(view), known: RefCell::default(), last: RefCell::default() })
+    fn new(file: &'static str, known: fn() -> &'static Known) -> Rc<Self> {
+        Rc::new(Scenery { file, known, tried: RefCell::default(), last: RefCell::default() })
     }
 
     /// What comes of sending all rays through; worked out once for each pair of functions.
     fn rendered(&self, build: Build, nearest: Nearest) -> Option<Rc<Rendered>> {
         let key = [build as usize, nearest as usize];
-        let known = self.known.borrow().iter().find(|(other, _)| *other == key).map(|(_, rendered)| rendered.clone());
-        known.unwrap_or_else(|| {
-            let rendered = self.view.render(build, nearest).map(Rc::new);
-            self.known.borrow_mut().push((key, rendered.clone()));
+        let tried = self.tried.borrow().iter().find(|(other, _)| *other == key).map(|(_, rendered)| rendered.clone());
+        tried.unwrap_or_else(|| {
+            let rendered = (self.known)().view.render(build, nearest).map(Rc::new);
+            self.tried.borrow_mut().push((key, rendered.clone()));
             rendered
         })
     }
 
     fn tests_a_ray(&self, rendered: &Rendered) -> f64 {
-        rendered.total() as f64 / self.view.rays() as f64
+        rendered.total() as f64 / (self.known)().view.rays() as f64
     }
 
     fn judge(&self, build: Build, nearest: Nearest) -> Answer {
@@ -1057,11 +1094,6 @@ impl Scenery {
         });
         self.last.replace(rendered);
         answer
-    }
-
-    /// The solution's.
-    fn right(&self) -> Option<Rc<Rendered>> {
-        self.rendered(builds::right, visits::right)
     }
 }
 
@@ -1095,20 +1127,17 @@ fn picture() -> Task<Rc<Scenery>> {
             answer: |scenery| scenery.judge(builds::right, visits::everything),
         },
     ];
-    fn load(file: &str, text: &str, mesh: &'static [u8]) -> MeshView {
-        let loaded = scene::load(file, text, &mut |_| Ok(mesh.to_vec()));
-        let view = loaded.ok().and_then(|loaded| MeshView::new(&loaded.scene, 96, 72));
-        view.expect("a committed scene has a mesh")
-    }
-    let gem: fn() -> MeshView = || {
+    fn gem() -> &'static Known {
+        static KNOWN: OnceLock<Known> = OnceLock::new();
         let (text, mesh) = (include_str!("../../scenes/gem.json"), include_bytes!("../../scenes/meshes/gem.obj"));
-        load("scenes/gem.json", text, mesh)
-    };
-    let waves: fn() -> MeshView = || {
-        let (text, mesh) =
-            (include_str!("../../scenes/mesh.json"), include_bytes!("../../scenes/meshes/bumpy-sphere.ply"));
-        load("scenes/mesh.json", text, mesh)
-    };
+        KNOWN.get_or_init(|| Known::new("scenes/gem.json", text, mesh))
+    }
+    fn waves() -> &'static Known {
+        static KNOWN: OnceLock<Known> = OnceLock::new();
+        let text = include_str!("../../scenes/mesh.json");
+        let mesh = include_bytes!("../../scenes/meshes/bumpy-sphere.ply");
+        KNOWN.get_or_init(|| Known::new("scenes/mesh.json", text, mesh))
+    }
     Task {
         name: "the picture",
         function: "build and nearest",
@@ -1119,14 +1148,15 @@ fn picture() -> Task<Rc<Scenery>> {
             Case::new("the cut stone", Scenery::new("scenes/gem.json", gem)),
         ],
         given: |scenery| {
+            let view = &(scenery.known)().view;
             vec![
-                format!("the mesh of {}", scenery.file),
-                format!("{} triangles, {} rays", scenery.view.items.len(), scenery.view.rays()),
-                format!("brute force: {} tests a ray", scenery.view.items.len()),
+                format!("the mesh of {}, its triangles mixed", scenery.file),
+                format!("{} triangles, {} rays", view.items.len(), view.rays()),
+                format!("brute force: {} tests a ray", view.items.len()),
             ]
         },
         truth: |scenery| {
-            let most = scenery.right().map_or(f64::NAN, |right| (SLACK * scenery.tests_a_ray(&right)).ceil());
+            let most = (SLACK * scenery.tests_a_ray(&(scenery.known)().right)).ceil();
             Answer::of("wrong pixels", 0.0).and("tests a ray", Value::AtMost(most))
         },
         faults: FAULTS,
@@ -1134,8 +1164,8 @@ fn picture() -> Task<Rc<Scenery>> {
             scenery.last.take();
             ask(scenery);
             let yours = scenery.last.take().filter(|_| what.got.is_some());
-            let right = scenery.right().unwrap_or_else(|| Rc::new(Rendered { right: Vec::new(), tests: Vec::new() }));
-            pictures::counted(&scenery.view, &right, yours.as_deref(), what)
+            let known = (scenery.known)();
+            pictures::counted(&known.view, &known.right, yours.as_deref(), what)
         },
         hints: &[
             "Look at the lower right picture: where are the tests? Everywhere alike means that the boxes do not help.",

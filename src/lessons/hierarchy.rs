@@ -164,6 +164,7 @@ impl Hierarchy {
             nearest,
             asked: RefCell::default(),
             tested: RefCell::default(),
+            visited: RefCell::default(),
             depth: Cell::new(0),
             deepest: self.nodes,
             is_endless: Cell::new(false),
@@ -172,7 +173,13 @@ impl Hierarchy {
             Some(_) => walk.nearest(&self.root, f64::INFINITY),
             None => f64::INFINITY,
         };
-        Walked { t, ends: !walk.is_endless.get(), asked: walk.asked.into_inner(), tested: walk.tested.into_inner() }
+        Walked {
+            t,
+            ends: !walk.is_endless.get(),
+            asked: walk.asked.into_inner(),
+            tested: walk.tested.into_inner(),
+            visited: walk.visited.into_inner(),
+        }
     }
 }
 
@@ -188,6 +195,7 @@ pub struct Walk<'r> {
     nearest: Nearest,
     asked: RefCell<Vec<usize>>,
     tested: RefCell<Vec<usize>>,
+    visited: RefCell<Vec<usize>>,
     depth: Cell<usize>,
     deepest: usize,
     is_endless: Cell<bool>,
@@ -204,6 +212,8 @@ pub struct Walked {
     pub asked: Vec<usize>,
     /// The triangles that were tested, in order.
     pub tested: Vec<usize>,
+    /// The nodes that the recursion went into, in order.
+    pub visited: Vec<usize>,
 }
 
 impl Walk<'_> {
@@ -229,6 +239,7 @@ impl Walk<'_> {
         if self.is_endless.get() {
             return best;
         }
+        self.visited.borrow_mut().push(node.number);
         self.depth.set(self.depth.get() + 1);
         let t = (self.nearest)(node, self, best);
         self.depth.set(self.depth.get() - 1);

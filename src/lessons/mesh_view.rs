@@ -1,7 +1,7 @@
 //! Lesson 12: a scene with a mesh in a small picture, whose rays go through a student's hierarchy.
 
-use super::Ray;
 use super::hierarchy::{Build, Hierarchy, Item, Nearest};
+use super::{Random, Ray, Triangle};
 use crate::hits::{Acceleration, Departure, Geometry, Limit, World};
 use crate::pictures::drawing::{Color, Raster};
 use crate::pictures::srgb8;
@@ -13,7 +13,7 @@ use crate::transport::{Options, Tracer};
 pub struct MeshView {
     /// Columns and rows.
     pub size: [u32; 2],
-    /// The mesh.
+    /// The mesh, mixed: their order says nothing about where the triangles are.
     pub items: Vec<Item>,
     /// The tracer's picture of the whole scene.
     pub picture: Raster,
@@ -64,12 +64,7 @@ impl MeshView {
         };
         Some(MeshView {
             size: [width, height],
-            items: mesh
-                .triangles
-                .iter()
-                .enumerate()
-                .map(|(number, triangle)| Item { number, triangle: *triangle })
-                .collect(),
+            items: mixed(&mesh.triangles),
             picture: Raster::from_fn(width, height, color),
             truth: rays.iter().map(nearest).collect::<Option<_>>()?,
             rays,
@@ -96,4 +91,15 @@ impl MeshView {
         }
         Some(rendered)
     }
+}
+
+/// Triangles with their numbers in an order of chance, the same every time.
+fn mixed(triangles: &[Triangle]) -> Vec<Item> {
+    let numbered = triangles.iter().enumerate().map(|(number, triangle)| Item { number, triangle: *triangle });
+    let mut items: Vec<Item> = numbered.collect();
+    let mut random = Random::new(12);
+    for i in (1..items.len()).rev() {
+        items.swap(i, random.below(i + 1));
+    }
+    items
 }

@@ -172,6 +172,14 @@ fn links_and_commands_of_the_course_lead_somewhere() {
                     let known = |pixel: &&str| loaded.scene.pixels.iter().any(|(name, _)| name == pixel);
                     assert!(pixel.iter().all(known), "{file}: {line}");
                 }
+                // A report takes seconds: that one is written is tested elsewhere.
+                ["raytree", "accuracy", rest @ ..] => {
+                    let (help, _) = raytree(&["accuracy", "--help"]);
+                    let is_known = |word: &&str| word.starts_with("--") && help.contains(*word);
+                    assert!(rest.ends_with(&["-o", "report"]), "{file}: {line}");
+                    let given = &rest[..rest.len() - 2];
+                    assert!(given.iter().all(|word| is_known(word) || Path::new(word).exists()), "{file}: {line}");
+                }
                 ["git" | "mdbook", ..] => {}
                 other => panic!("{file}: nobody has looked at {other:?}"),
             }

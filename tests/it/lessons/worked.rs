@@ -2,9 +2,13 @@
 
 use glam::{DVec3, dvec2, dvec3};
 use raytree::kernels::triangle_lecture_values;
-use raytree::lessons::{Plane, Ray, Span, Sphere, Triangle, shown};
+use raytree::lessons::{
+    Aabb, Build, Choice, Hierarchy, Item, MeshView, Node, Plane, Ray, Span, Sphere, Triangle, depths_and_weights, shown,
+};
 
 use super::aabb::solution as boxes;
+use super::cost::solution as costs;
+use super::fast::solution as fast;
 use super::plane::solution as planes;
 use super::sphere::solution as spheres;
 use super::triangle::solution as triangles;
@@ -156,6 +160,90 @@ fn lesson_05() {
             format!("comes in at ${}$ and goes out at ${}$", vector(ray.at(t_in)), vector(ray.at(t_out))),
             format!("$a = {}$, $b = {}$, $c = {}$ and the roots", shown(p), shown(q), shown(r)),
             format!("are ${}$ and ${}$", shown(inside.t_in), shown(inside.t_out)),
+        ],
+    );
+}
+
+/// How many tests of boxes and triangles a ray of the lesson's picture takes.
+fn tests_a_ray(file: &str, build: Build) -> f64 {
+    let loaded = raytree::scene::load_file(file).unwrap();
+    let view = MeshView::new(&loaded.scene, 96, 72).unwrap();
+    let rendered = view.render(build, fast::nearest).unwrap();
+    assert_eq!(rendered.wrong(), 0);
+    rendered.total() as f64 / view.rays() as f64
+}
+
+#[test]
+fn lesson_12() {
+    let aabb = |x: f64, y: f64, z: f64| Aabb { min: DVec3::ZERO, max: dvec3(x, y, z) };
+    let area = fast::surface_area(&aabb(2.0, 3.0, 4.0));
+    assert_eq!(fast::surface_area(&aabb(1.0, 1.0, 2.0)), 10.0);
+    let solved = tests_a_ray("scenes/mesh.json", fast::build);
+    let unsorted = tests_a_ray("scenes/mesh.json", |items, builder| {
+        let bounds = fast::bounds(items);
+        if items.len() <= fast::LEAF {
+            return Node::leaf(bounds, items);
+        }
+        let (left, right) = items.split_at(items.len() / 2);
+        Node::inner(bounds, builder.build(left), builder.build(right))
+    });
+    // A row of walls as wide as they are apart halves evenly.
+    let walls = (0..1024).map(|number| {
+        let at = dvec3(number as f64, 0.0, 0.0);
+        Item { number, triangle: Triangle { vertices: [at, at + DVec3::Y, at + DVec3::Z] } }
+    });
+    let halves = Hierarchy::of(
+        |items, builder| {
+            let (left, right) = items.split_at(items.len() / 2);
+            match items.len() {
+                0..=2 => Node::leaf(fast::bounds(items), items),
+                _ => Node::inner(fast::bounds(items), builder.build(left), builder.build(right)),
+            }
+        },
+        &walls.collect::<Vec<_>>(),
+    );
+    let halves = halves.unwrap();
+    let depth = halves.root().walk().iter().map(|(_, depth)| *depth).max().unwrap();
+    assert_eq!(depth, 9);
+    says(
+        "12-fast",
+        &[
+            format!(r"$2 \cdot (6 + 12 + 8) = {}$", shown(area)),
+            format!(r"$52 \cdot 3 + 10 \cdot 1 = {}$", shown(area * 3.0 + 10.0)),
+            format!("the solution makes {solved:.1} tests a ray"),
+            format!("That is {} times fewer", shown((2048.0 / solved).round())),
+            format!("gets the right picture with {unsorted:.1} tests a ray"),
+            format!("$512 + 511 = {}$ in all. Halved nine times", halves.nodes()),
+        ],
+    );
+}
+
+#[test]
+fn lesson_13() {
+    let of = |cost, error| Choice { name: String::new(), cost, error };
+    assert_eq!(costs::pareto(&[of(1.0, 2.0), of(2.0, 1.0), of(3.0, 1.5)]), [0, 1]);
+    assert_eq!(costs::break_even(80.0, 2.0, 10.0), None);
+    let loaded = raytree::scene::load_file("scenes/whitted.json").unwrap();
+    let measured = depths_and_weights(&loaded.scene, 48, 36).unwrap();
+    assert_eq!(measured.len(), 12);
+    let chosen = &measured[costs::choose(&measured, 0.01).unwrap()].name;
+    // Of the depths only the two cheapest and the deepest are left.
+    let front = costs::pareto(&measured).into_iter().map(|i| measured[i].name.as_str());
+    let depths: Vec<&str> = front.filter(|name| name.starts_with("depth")).collect();
+    assert_eq!(depths, ["depth 0", "depth 1", "depth 6"]);
+    let read = costs::reading();
+    let even = costs::break_even(200_000.0, 2048.0, 16.0).unwrap();
+    says(
+        "13-cost",
+        &[
+            format!("From 10 to 5 is $10 / 5 = {}$", shown(costs::speedup(10.0, 5.0))),
+            format!("From 4 to 5 is {}: slower", shown(costs::speedup(4.0, 5.0))),
+            format!("$80 / (10 - 2) = {}$ rays", shown(costs::break_even(80.0, 10.0, 2.0).unwrap())),
+            format!("$2048 / 16 = {}$.", shown(costs::speedup(2048.0, 16.0))),
+            format!("which is {even:.1}: from {} rays on", even.ceil()),
+            format!("`{chosen}`: of all whose error is at most 0.01"),
+            format!("wrong in {} of 2000", read.lecture_wrong),
+            format!("{:.0} of 2000 are wrong", read.lecture_wrong as f64 / read.lecture_over_watertight),
         ],
     );
 }
