@@ -777,10 +777,17 @@ impl Way {
             }
         };
         let nodes = self.hierarchy.root().walk();
+        // Of two orders that look into the same boxes only this tells which it was.
+        let is_first = |node: &Node| match &node.inside {
+            Inside::Items(items) => items.iter().any(|item| walked.tested.first() == Some(&item.number)),
+            Inside::Children(_) => false,
+        };
+        let first = nodes.iter().filter(|(node, _)| is_first(node)).map(|(node, _)| node.number());
         let opened = nodes.iter().filter(|(node, _)| is_opened(node)).map(|(node, _)| node.number());
         Answer::of("t", walked.t)
             .and("tested", Value::set(walked.tested.iter().copied()))
             .and("opened", Value::set(opened))
+            .and("first leaf", Value::set(first))
     }
 
     /// Whether neither equal entries nor an entry at the very hit make a difference.
@@ -881,9 +888,8 @@ mod visits {
     }
 
     pub(super) fn everything(node: &Node, walk: &Walk<'_>, best: f64) -> f64 {
-        leaf(node, walk, best).unwrap_or_else(|children| {
-            in_order(children, walk).iter().fold(best, |best, (_, child)| walk.nearest(child, best))
-        })
+        leaf(node, walk, best)
+            .unwrap_or_else(|children| children.iter().fold(best, |best, child| walk.nearest(child, best)))
     }
 
     pub(super) fn missed_is_zero(node: &Node, walk: &Walk<'_>, best: f64) -> f64 {
@@ -1026,8 +1032,9 @@ fn nearest() -> Task<Way> {
         },
         truth: |way| {
             let right = way.sent(visits::right);
-            let sets = ["tested", "opened"].map(|name| Value::set(right.set(name).unwrap_or_default()));
-            Answer::of("t", way.nearest_of_all()).and("tested", sets[0]).and("opened", sets[1])
+            let t = Answer::of("t", way.nearest_of_all());
+            let and = |answer: Answer, name| answer.and(name, Value::set(right.set(name).unwrap_or_default()));
+            ["tested", "opened", "first leaf"].into_iter().fold(t, and)
         },
         faults: FAULTS,
         picture: |way, what, _| pictures::visited_boxes(&way.hierarchy, &way.ray, what),

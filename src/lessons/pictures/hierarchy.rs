@@ -165,7 +165,7 @@ pub fn nested_boxes(items: &[Item], right: &Hierarchy, wrong: Option<&Hierarchy>
 pub fn visited_boxes(hierarchy: &Hierarchy, ray: &Ray, what: &Shown) -> Drawing {
     let mut page = Page::new(
         what,
-        "Seen from above. Boxes that have to be opened are green, those that you open red; walls that have to be tested are bold.",
+        "Seen from above. Boxes that have to be opened are green, those that you open red, and so are the walls that are tested.",
     );
     let items: Vec<Item> = hierarchy.root().items().copied().collect();
     let flat = |v: DVec3| v.truncate();
@@ -193,7 +193,7 @@ pub fn visited_boxes(hierarchy: &Hierarchy, ray: &Ray, what: &Shown) -> Drawing 
         false => ink.fade(0.55),
     });
     let (eye, way) = (view.at(flat(ray.origin)), view.at(flat(ray.origin + ray.direction)) - view.at(flat(ray.origin)));
-    sketch.faint(eye, eye + 3e3 * way.normalize_or_zero(), Pen { width: 1.2, ..given });
+    sketch.line(eye, eye + 3e3 * way.normalize_or_zero(), Pen { width: 1.2, ..given });
     sketch.arrow(eye, eye + way, given);
     sketch.dot(eye, given.color);
     sketch.name_in(eye, Words::default().tex(r"\mathbf{o}"), given.color);
@@ -216,9 +216,11 @@ pub fn counted(view: &MeshView, right: &Rendered, yours: Option<&Rendered>, what
     let mut page =
         Page::new(what, "Above: the picture, wrong pixels red. Below: how many tests each pixel took; darker is more.");
     let most = right.tests.iter().chain(yours.iter().flat_map(|y| &y.tests)).copied().max().unwrap_or(1).max(1);
+    // From ten tests to twenty is as large a step as from a hundred to two hundred.
+    let level = |tests: usize| libm::log1p(tests as f64);
     let heat = |rendered: &Rendered, theme: &Theme| {
         Raster::from_fn(view.size[0], view.size[1], |x, y| {
-            theme.heat(rendered.tests[(y * view.size[0] + x) as usize] as f64 / most as f64)
+            theme.heat(level(rendered.tests[(y * view.size[0] + x) as usize]) / level(most))
         })
     };
     let a_ray = |rendered: &Rendered| shown((rendered.total() as f64 / view.rays() as f64 * 10.0).round() / 10.0);
