@@ -1053,9 +1053,12 @@ fn nearest() -> Task<Way> {
 struct Scenery {
     file: &'static str,
     known: fn() -> &'static Known,
-    tried: RefCell<Vec<([usize; 2], Option<Rc<Rendered>>)>>,
+    tried: RefCell<Vec<Tried>>,
     last: RefCell<Option<Rc<Rendered>>>,
 }
+
+/// The addresses of `build` and `nearest`, and what came of them.
+type Tried = ([usize; 2], Option<Rc<Rendered>>);
 
 /// What is worked out once, however many students are checked.
 struct Known {
