@@ -6,6 +6,7 @@ mod pages;
 mod plane;
 mod program;
 mod sphere;
+mod traced;
 mod triangle;
 mod update;
 mod vectors;
