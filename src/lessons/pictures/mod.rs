@@ -9,6 +9,7 @@ mod plane;
 mod render;
 mod slabs;
 mod sphere;
+mod surface;
 mod triangle;
 mod vectors;
 mod view;
@@ -21,6 +22,7 @@ pub use plane::{plane_from, plane_hit, signed_distance};
 pub use render::renders;
 pub use slabs::{box_span, rectangle_span, slab};
 pub use sphere::{parabola, sphere_hit, sphere_normal};
+pub use surface::{at_surface, towards_light};
 pub use triangle::{inside_tests, triangle_hit, triangle_plane, triangle_weights};
 pub use vectors::{cross_product, length, normal_vector, projection};
 
