@@ -32,7 +32,9 @@ pub fn renders(pixel: &Pixel, what: &Shown, student: &dyn Fn(&Pixel) -> Option<A
     let mut page = Page::new(what, &format!("{about} The ring is around the pixel of the case."));
     let theme = page.theme;
     let size = DVec2::new(f64::from(film.size.width), f64::from(film.size.height));
-    let room = (page.room.size() - GAP) / 2.0 - DVec2::new(0.0, NAME);
+    // One picture where there is nothing to compare.
+    let is_right = count == 0 && own.len() == right.len();
+    let room = (page.room.size() - GAP) / if is_right { 1.0 } else { 2.0 } - DVec2::new(0.0, NAME);
     let scale = (room / size).min_element();
     let center = DVec2::new(f64::from(x), f64::from(y)) + 0.5;
     let mut show = |column: f64, row: f64, name: &str, colors: &dyn Fn(usize) -> Color| {
@@ -50,8 +52,8 @@ pub fn renders(pixel: &Pixel, what: &Shown, student: &dyn Fn(&Pixel) -> Option<A
         }
     };
     let color = |colors: &[Color], i: usize| colors.get(i).copied().unwrap_or(theme.grid);
-    show(0.0, 0.0, "true", &|i| color(&right, i));
-    if !own.is_empty() {
+    show(0.0, 0.0, if is_right { "true, and yours" } else { "true" }, &|i| color(&right, i));
+    if !own.is_empty() && !is_right {
         show(1.0, 0.0, "yours", &|i| color(&own, i));
     }
     if count > 0 {
