@@ -584,7 +584,7 @@ fn direct_light() -> Task<Pixel> {
         Fault::classic(ClassicFault::LightColorIgnored, |pixel| pixel.with_fault(ClassicFault::LightColorIgnored)),
     ];
     let mut cases = lights();
-    cases.extend(mirror());
+    cases.extend(pixels("scenes/sphere.json", include_str!("../../scenes/sphere.json")));
     Task {
         name: "colour: direct light",
         function: "direct_light",

@@ -52,8 +52,9 @@ impl From<bool> for Value {
 impl Value {
     /// Whether this is `expected` within [`TOLERANCE`]. NaN agrees with NaN, an infinity with itself.
     fn agrees(self, expected: Value) -> bool {
-        let near =
-            |x: f64, y: f64, size: f64| x == y || (x.is_nan() && y.is_nan()) || (x - y).abs() <= TOLERANCE * size;
+        let near = |x: f64, y: f64, size: f64| {
+            x == y || (x.is_nan() && y.is_nan()) || (size.is_finite() && (x - y).abs() <= TOLERANCE * size)
+        };
         match (self, expected) {
             (Value::Number(x), Value::Number(y)) => near(x, y, y.abs().max(1.0)),
             (Value::Vector(v), Value::Vector(w)) => {
@@ -177,12 +178,23 @@ fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
         diff::Value::Word(word) => word.clone(),
         diff::Value::Flag(yes) => yes.to_string(),
     };
+    let path = shortened(&first.path.to_string());
     let of = first.light.as_ref().map_or(String::new(), |light| format!(" of {light}"));
     let told = |tree: &RayTree, value: &Option<diff::Value>| {
         let value = value.as_ref().map_or("not there".to_owned(), word);
-        format!("{} {}{of}: {value}; {}", first.path, first.field, color(tree, shown))
+        format!("{path} {}{of}: {value}; {}", first.field, color(tree, shown))
     };
     [told(right, &first.a), told(own, &first.b)]
+}
+
+/// A path with what is repeated in it counted: `root.reflected x10`.
+fn shortened(path: &str) -> String {
+    let parts: Vec<&str> = path.split('.').collect();
+    let told = parts.chunk_by(|a, b| a == b).map(|same| match same.len() {
+        count if count > 2 => format!("{} x{count}", same[0]),
+        _ => same.join("."),
+    });
+    told.collect::<Vec<_>>().join(".")
 }
 
 impl std::fmt::Display for Answer {

@@ -234,7 +234,8 @@ impl<'s> Program<'s> {
         self.record.borrow_mut().work(self.enough());
         let shadow_ray = (self.procedures.shadow_ray)(hit.point, light);
         let is_blocked = (self.procedures.is_blocked)(self, &shadow_ray);
-        self.record.borrow_mut().shadow(&light.name, &shadow_ray, hit.n1, is_blocked);
+        let [ior, _] = self.surface(hit).ior;
+        self.record.borrow_mut().shadow(&light.name, &shadow_ray, ior, is_blocked);
         !is_blocked
     }
 

@@ -213,6 +213,11 @@ fn answers_are_compared_within_the_tolerance_and_told_apart() {
     assert!(run(|x| 2.0 * x + 5e-10).is_none());
     let failure = run(|x| 2.0 * x + 3e-9).unwrap();
     assert_eq!((failure.expected.as_str(), failure.got.as_deref()), ("length = 2", Some("length = 2.000000003")));
+    // Nothing is near an infinity but itself.
+    let endless = Answer::of("t", f64::INFINITY);
+    assert!(
+        endless.agrees(&endless) && !Answer::of("t", 5.0).agrees(&endless) && !endless.agrees(&Answer::of("t", 5.0))
+    );
     // 1/3 reads the same with six digits, so that all are told.
     assert_eq!(shown(1.0 / 3.0), "0.333333");
     for wild in [f64::NAN, f64::INFINITY, -1e300, 1e-300] {

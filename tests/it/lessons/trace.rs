@@ -73,9 +73,18 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
                 },
             }
         },
-        "direct-facing-unasked": direct_light = |program, ray, hit, light| match program.is_lit(hit, light) {
-            true => solution::direct_light(program, ray, hit, light),
-            false => DirectLight::default(),
+        "direct-facing-unasked": direct_light = |program, ray, hit, light| {
+            let (n, l) = (hit.normal, solution::to_light(hit.point, light));
+            match program.is_lit(hit, light) && n.dot(l) >= 0.0 {
+                true => DirectLight {
+                    diffuse: solution::diffuse(&hit.material, n, l, light.color),
+                    specular: solution::specular(&hit.material, n, l, ray.direction, light.color),
+                },
+                false => DirectLight::default(),
+            }
+        },
+        "direct-without-highlight": direct_light = |program, ray, hit, light| {
+            DirectLight { specular: Rgb::ZERO, ..solution::direct_light(program, ray, hit, light) }
         },
     ]
 }
