@@ -236,19 +236,6 @@ fn is_blocked() -> Task<Pixel> {
                 })
             },
         },
-        Fault {
-            id: "blocked-only-if-all",
-            name: "a light is blocked only if every object is in the way",
-            why: "One object is enough: return true at the first, and false only after the loop.",
-            answer: |pixel| {
-                pixel.answer(Procedures {
-                    is_blocked: |program, shadow| {
-                        met(program, shadow).into_iter().all(|t| t.is_some_and(|t| t < shadow.t_max))
-                    },
-                    ..GIVEN
-                })
-            },
-        },
     ];
     Task {
         name: "shadow: what is in the way",
