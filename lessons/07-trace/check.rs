@@ -43,7 +43,8 @@ pub(crate) fn lesson(student: Student) -> Lesson {
             direct_light().stage(move |pixel| pixel.answer(with_light)),
             program().stage(move |pixel| pixel.answer(with_all)),
         ],
-        notice: "Now see what the rays of one pixel bring back: raytree diagram scenes/mirror.json \"mirrored ball\" --kind tree -o tree.png",
+        notice: "Now see what the rays of one pixel bring back: raytree diagram scenes/mirror.json \"mirrored ball\" \
+                 --kind tree -o tree.png",
     }
 }
 

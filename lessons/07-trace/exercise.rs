@@ -1,7 +1,7 @@
 //! Lesson 07: Trace, Intersect and direct light. Read README.md beside this file, write the six functions, and run
 //!
 //!     cargo run --example lesson-07
-#![allow(unused_variables, reason = "until the functions are written")]
+#![allow(unused_imports, unused_variables, reason = "until the functions are written")]
 
 mod check;
 

@@ -320,10 +320,10 @@ fn shade() -> Task<Pixel> {
         hints: &[
             "Begin with your shade of lesson 09. A mirror whose weight is 0 needs no ray: \
              hit.material.reflection.unwrap_or(Rgb::ZERO).",
-            "if let Some(transmission) = hit.material.transmission { match refracted_direction(ray.direction, hit.normal, hit.n1, \
-             hit.n2) { Some(direction) => ..., None => ... } }",
-            "In the first case add transmission * program.trace_refracted(level + 1, &refracted); in the second the weight of the \
-             reflected ray grows by transmission.",
+            "if let Some(transmission) = hit.material.transmission { match refracted_direction(ray.direction, hit.normal, \
+             hit.n1, hit.n2) { Some(direction) => ..., None => ... } }",
+            "In the first case add transmission * program.trace_refracted(level + 1, &refracted); in the second the weight \
+             of the reflected ray grows by transmission.",
         ],
     }
 }

@@ -1,7 +1,7 @@
 //! Lesson 10: refraction and total internal reflection. Read README.md beside this file, write the two functions, and run
 //!
 //!     cargo run --example lesson-10
-#![allow(unused_variables, reason = "until the functions are written")]
+#![allow(unused_imports, unused_variables, reason = "until the functions are written")]
 
 mod check;
 

@@ -171,6 +171,10 @@ fn color(tree: &RayTree, number: fn(f64) -> String) -> String {
 fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
     let difference = diff(right, own, &Tolerances::default());
     let Some(first) = difference.first() else { return [right, own].map(|tree| color(tree, shown)) };
+    // An object is told by its name, where it has one.
+    let is_named = |other: &&diff::Divergence| other.path == first.path && other.field == diff::Field::Object;
+    let named = difference.divergences.iter().find(is_named).filter(|_| first.field == diff::Field::Shape);
+    let first = named.unwrap_or(first);
     let word = |value: &diff::Value| match value {
         diff::Value::Number(x) => shown(*x),
         diff::Value::Numbers(v) => format!("({})", v.iter().map(|x| shown(*x)).collect::<Vec<_>>().join(", ")),

@@ -9,7 +9,7 @@ use raytree::lessons::{Lesson, LightKind, Ray, ShadowRay};
 #[allow(dead_code, reason = "here nothing runs the lesson as a program")]
 mod check;
 #[path = "../../../lessons/08-shadows/exercise.rs"]
-#[allow(dead_code, unreachable_pub, unused_imports, reason = "a program of its own, with what its answers will need")]
+#[allow(dead_code, unreachable_pub, reason = "a program of its own")]
 mod exercise;
 #[path = "../../../lessons/08-shadows/solution.rs"]
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]
