@@ -23,10 +23,10 @@ pub fn shadow_ray(point: DVec3, light: &Light) -> ShadowRay {
 /// Whether any object is hit before the light, at a t below `t_max`.
 pub fn is_blocked(program: &Program, shadow_ray: &ShadowRay) -> bool {
     for object in program.objects() {
-        if let Some(hit) = object.intersect(&shadow_ray.ray) {
-            if hit.t < shadow_ray.t_max {
-                return true;
-            }
+        if let Some(hit) = object.intersect(&shadow_ray.ray)
+            && hit.t < shadow_ray.t_max
+        {
+            return true;
         }
     }
     false

@@ -14,12 +14,12 @@ pub fn reflected_direction(d: DVec3, n: DVec3) -> DVec3 {
 /// reflected ray.
 pub fn shade(program: &Program, level: u32, ray: &Ray, hit: &Hit) -> Rgb {
     let mut color = program.local_color(ray, hit);
-    if let Some(reflection) = hit.material.reflection {
-        if level < program.max_level() {
-            let direction = reflected_direction(ray.direction, hit.normal);
-            let reflected = Ray { origin: hit.point, direction };
-            color += reflection * program.trace_reflected(level + 1, &reflected);
-        }
+    if let Some(reflection) = hit.material.reflection
+        && level < program.max_level()
+    {
+        let direction = reflected_direction(ray.direction, hit.normal);
+        let reflected = Ray { origin: hit.point, direction };
+        color += reflection * program.trace_reflected(level + 1, &reflected);
     }
     color
 }
