@@ -219,6 +219,7 @@ impl<R: Real> World<R> {
     }
 
     /// The nearest hit of one object, as [`World::nearest`] has it.
+    #[cfg(feature = "lessons")]
     pub(crate) fn nearest_on(&self, ray: &Ray<R>, id: ObjectId, departure: Departure<'_>) -> Option<Hit<R>> {
         let mut sink = Nearest::new(Limit::None);
         self.walk_object(ray, id, departure, &mut sink);
