@@ -6,6 +6,7 @@
 
 mod page;
 mod plane;
+mod rounding;
 mod slabs;
 mod sphere;
 mod triangle;
@@ -17,6 +18,7 @@ use super::answer::Answer;
 use page::Page;
 
 pub use plane::{plane_from, plane_hit, signed_distance};
+pub use rounding::{Meanings, Tile, map, small_root};
 pub use slabs::{box_span, rectangle_span, slab};
 pub use sphere::{parabola, sphere_hit, sphere_normal};
 pub use triangle::{inside_tests, triangle_hit, triangle_plane, triangle_weights};
