@@ -6,6 +6,7 @@
 
 mod page;
 mod plane;
+mod render;
 mod rounding;
 mod slabs;
 mod sphere;
@@ -18,6 +19,7 @@ use super::answer::Answer;
 use page::Page;
 
 pub use plane::{plane_from, plane_hit, signed_distance};
+pub use render::renders;
 pub use rounding::{Meanings, Tile, map, small_root};
 pub use slabs::{box_span, rectangle_span, slab};
 pub use sphere::{parabola, sphere_hit, sphere_normal};

@@ -7,6 +7,7 @@ mod plane;
 mod program;
 mod rounding;
 mod sphere;
+mod traced;
 mod triangle;
 mod update;
 mod vectors;
