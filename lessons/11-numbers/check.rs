@@ -303,19 +303,33 @@ fn box_span() -> Task<RayAndBox> {
     }
 }
 
-/// A quadratic with the roots that it was made of.
+/// A quadratic with its roots.
 #[derive(Clone, Copy, Debug)]
 struct Quadratic {
     a: f64,
     b: f64,
     c: f64,
-    planted: Option<[f64; 2]>,
+    solved: Option<[f64; 2]>,
 }
 
-/// `a (t - first) (t - second)`; exact for numbers of few bits.
+/// `a (t - first) (t - second)`; exact for numbers of few bits, which no formula gets wrong.
 fn planted(a: f64, first: f64, second: f64) -> Quadratic {
-    let planted = Some([first.min(second), first.max(second)]);
-    Quadratic { a, b: -a * (first + second), c: a * first * second, planted }
+    let solved = Some([first.min(second), first.max(second)]);
+    Quadratic { a, b: -a * (first + second), c: a * first * second, solved }
+}
+
+/// With one root much smaller than the other, 4 a c being at most a 32nd of b^2: the smaller root is `-c / b` times a series
+/// in `x = a c / b^2`, 1 + x + 2 x^2 + 5 x^3 and so on with the Catalan numbers, and the other one is what is left to `-b / a`.
+fn parted(a: f64, b: f64, c: f64) -> Quadratic {
+    let x = a * c / (b * b);
+    let (mut sum, mut term) = (0.0, 1.0);
+    for n in 0..24 {
+        sum += term;
+        term *= x * f64::from(4 * n + 2) / f64::from(n + 2);
+    }
+    let small = -c / b * sum;
+    let large = -b / a - small;
+    Quadratic { a, b, c, solved: Some([small.min(large), small.max(large)]) }
 }
 
 fn roots() -> Task<Quadratic> {
@@ -440,24 +454,21 @@ fn roots() -> Task<Quadratic> {
             },
         },
     ];
-    let billion = 1e12;
     let mut cases = vec![
         Case::new("roots 2 and 3, a = 4", planted(4.0, 2.0, 3.0)),
-        Case::new("roots 1 and 10^12", planted(1.0, 1.0, billion)),
-        Case::new("roots -1 and -10^12", planted(1.0, -1.0, -billion)),
-        Case::new("roots -1 and 10^12", planted(1.0, -1.0, billion)),
+        Case::new("roots near 0.3 and 10^12", parted(1.0, -1e12, 3e11)),
+        Case::new("roots near -0.3 and -10^12", parted(1.0, 1e12, 3e11)),
+        Case::new("roots near -0.3 and 10^12", parted(1.0, -1e12, -3e11)),
         Case::new("b = 0", planted(1.0, -2.0, 2.0)),
-        Case::new("a double root at 0", Quadratic { a: 1.0, b: 0.0, c: 0.0, planted: Some([0.0; 2]) }),
+        Case::new("a double root at 0", Quadratic { a: 1.0, b: 0.0, c: 0.0, solved: Some([0.0; 2]) }),
         Case::new("a double root", planted(1.0, 3.0, 3.0)),
-        Case::new("no root", Quadratic { a: 1.0, b: -2.0, c: 5.0, planted: None }),
+        Case::new("no root", Quadratic { a: 1.0, b: -2.0, c: 5.0, solved: None }),
     ];
     cases.extend(random_cases(1103, 60, |random| {
         let a = [0.25, 0.5, 1.0, 2.0, 4.0][random.below(5)];
-        let size = |random: &mut Random| (1.0 + random.below(15) as f64) / 4.0;
         let sign = |random: &mut Random| if random.one_in(2) { -1.0 } else { 1.0 };
-        let near = sign(random) * size(random);
-        let far = sign(random) * size(random) * (1u64 << (8 + random.below(40))) as f64;
-        Some(planted(a, near, far))
+        let b = sign(random) * (1.0 + random.unit()) * (1u64 << (9 + random.below(38))) as f64;
+        Some(parted(a, b, sign(random) * (0.5 + 2.5 * random.unit()) * b))
     }));
     Task {
         name: "a root that does not cancel",
@@ -466,9 +477,15 @@ fn roots() -> Task<Quadratic> {
         after: &[],
         cases,
         given: |q| vec![format!("a = {}, b = {}, c = {}", shown(q.a), shown(q.b), shown(q.c))],
-        truth: |q| no_roots(q.planted.map(|[t_in, t_out]| Span { t_in, t_out })),
+        truth: |q| no_roots(q.solved.map(|[t_in, t_out]| Span { t_in, t_out })),
         faults: FAULTS,
-        picture: |_, what, ask| pictures::small_root(&|large| ask(&planted(1.0, 1.0, large)), what),
+        picture: |_, what, ask| {
+            let error = |large: f64| {
+                let q = parted(1.0, -large, 0.3 * large);
+                Some((ask(&q)?.number("t_in")? - q.solved?[0]).abs())
+            };
+            pictures::small_root(&error, what)
+        },
         hints: &[
             "With root = discriminant.sqrt(): of -b - root and -b + root one adds two numbers of the same sign and is \
              harmless. Which one depends on the sign of b.",
@@ -664,7 +681,7 @@ impl Departure {
     }
 }
 
-/// Rays that leave the ground from points which rounding has put on its wrong side.
+/// Rays that leave the ground, most of them from points which rounding has put on its wrong side.
 fn departures() -> Vec<Case<Departure>> {
     let make = |eye: DVec3, target: DVec3, normal: DVec3, direction: DVec3| {
         let case = Departure::new(eye, target, normal, direction)?;
@@ -697,7 +714,11 @@ fn departures() -> Vec<Case<Departure>> {
             return None;
         }
         let skim = light - light.dot(normal) * (1.0 - 1e-6) * normal;
-        make(scale * eye, scale * target, normal, if random.one_in(4) { skim } else { light })
+        let direction = if random.one_in(4) { skim } else { light };
+        match random.one_in(4) {
+            true => Departure::new(scale * eye, scale * target, normal, direction),
+            false => make(scale * eye, scale * target, normal, direction),
+        }
     }));
     cases
 }
@@ -800,12 +821,9 @@ fn leave() -> Task<Departure> {
             let reach = 0.1 * (case.ray.origin.length() + case.t);
             let tile = |u: f64, v: f64| {
                 let target = case.point() + reach * (u * right + v * up);
-                let Some(t) = Some(ray(case.ray.origin, (target - case.ray.origin).normalize()))
-                    .and_then(|ray| Some((ray, intersect_plane_certified(&ray, &case.ground).ok()?.t)))
-                else {
-                    return [Tile::Full; 2];
-                };
-                let near = Departure { ray: t.0, t: t.1, ..*case };
+                let seen = ray(case.ray.origin, (target - case.ray.origin).normalize());
+                let Ok(met) = intersect_plane_certified(&seen, &case.ground) else { return [Tile::Full; 2] };
+                let near = Departure { ray: seen, t: met.t, ..*case };
                 let answer = ask(&near);
                 let says = |name: &str| answer.as_ref().and_then(|answer| answer.truth(name));
                 let own = match (says("hits the surface it leaves"), says("sees a card close to it")) {

@@ -52,8 +52,9 @@ impl From<bool> for Value {
 impl Value {
     /// Whether this is `expected` within [`TOLERANCE`]. NaN agrees with NaN, an infinity with itself.
     fn agrees(self, expected: Value) -> bool {
-        let near =
-            |x: f64, y: f64, size: f64| x == y || (x.is_nan() && y.is_nan()) || (x - y).abs() <= TOLERANCE * size;
+        let near = |x: f64, y: f64, size: f64| {
+            x == y || (x.is_nan() && y.is_nan()) || (size.is_finite() && (x - y).abs() <= TOLERANCE * size)
+        };
         match (self, expected) {
             (Value::Number(x), Value::Number(y)) => near(x, y, y.abs().max(1.0)),
             (Value::Vector(v), Value::Vector(w)) => {

@@ -4,6 +4,7 @@
 //! diagram at the left, what is given and what was answered at the right. The true answer is green and solid, the
 //! student's red and dashed.
 
+mod camera;
 mod page;
 mod plane;
 mod render;
@@ -18,6 +19,7 @@ use super::answer::Answer;
 
 use page::Page;
 
+pub use camera::{field_of_view, image_plane, pixel_grid};
 pub use plane::{plane_from, plane_hit, signed_distance};
 pub use render::renders;
 pub use rounding::{Meanings, Tile, map, small_root};

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Answer, Page, Shown};
+use super::{Page, Shown};
 use crate::pictures::drawing::{Align, Color, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Words};
 use crate::pictures::theme::{Hue, Theme, Verdict};
 
@@ -105,21 +105,22 @@ pub fn map(tile: &dyn Fn(f64, f64) -> [Tile; 2], meanings: &Meanings, what: &Sho
     page.drawing
 }
 
-/// The largest exponent of two on the axis of [`small_root`].
-const LAST: i32 = 48;
+/// The first and the last exponent of two on the axis of [`small_root`].
+const POWERS: [i32; 2] = [6, 48];
 
-/// How far a function's smaller root is off that is 1, over the size of the other root: `ask` answers for a quadratic with
-/// the roots 1 and the given one.
-pub fn small_root(ask: &dyn Fn(f64) -> Option<Answer>, what: &Shown) -> Drawing {
+/// How far a function's smaller root is off, over the size of the other root: `error` says it for the quadratic
+/// `t^2 - L t + 0.3 L` with this L, or nothing where the function has no such root.
+pub fn small_root(error: &dyn Fn(f64) -> Option<f64>, what: &Shown) -> Drawing {
     let mut page = Page::new(
         what,
-        "The equation (t - 1) (t - L) = 0 for larger and larger L: by how much the root that should be 1 is off.",
+        "The equation t^2 - L t + 0.3 L = 0 for larger and larger L: by how much the root near 0.3 is off.",
     );
     let theme = page.theme;
     let room = page.room;
     let area = Rect { min: room.min + DVec2::new(74.0, 30.0), max: room.max - DVec2::new(14.0, 62.0) };
     let (lowest, highest) = (-18.0, 2.0);
-    let x_of = |k: i32| area.min.x + f64::from(k) / f64::from(LAST) * area.size().x;
+    let [first, last] = POWERS;
+    let x_of = |k: i32| area.min.x + f64::from(k - first) / f64::from(last - first) * area.size().x;
     let y_of = |power: f64| area.max.y - (power - lowest) / (highest - lowest) * area.size().y;
     let label = Text::new(12.0, theme.muted);
     let (grid, axis) = (Pen::new(theme.grid, 1.0), Pen::new(theme.axis, 1.2));
@@ -129,7 +130,7 @@ pub fn small_root(ask: &dyn Fn(f64) -> Option<Answer>, what: &Shown) -> Drawing 
         let words = Words::default().tex(&format!("10^{{{power}}}"));
         page.drawing.text((area.min.x - 10.0, y), words, label.anchor(Align::End, Level::Middle));
     }
-    for k in (0..=LAST).step_by(12) {
+    for k in (first..=last).step_by(14) {
         page.drawing.line((x_of(k), area.max.y), (x_of(k), area.max.y + 5.0), axis);
         let words = Words::default().tex(&format!("2^{{{k}}}"));
         page.drawing.text((x_of(k), area.max.y + 10.0), words, label.anchor(Align::Middle, Level::Top));
@@ -140,11 +141,10 @@ pub fn small_root(ask: &dyn Fn(f64) -> Option<Answer>, what: &Shown) -> Drawing 
     let below = label.anchor(Align::Middle, Level::Baseline);
     page.drawing.text((area.center().x, area.max.y + 46.0), "the other root, L", below);
     page.drawing.text((area.min.x - 10.0, area.max.y), "none", label.anchor(Align::End, Level::Middle));
-    for k in 1..=LAST {
+    for k in first..=last {
         let large = (1u64 << k) as f64;
-        let found = ask(large).and_then(|answer| answer.number("t_in"));
         // An answer that cannot be drawn is as wrong as can be.
-        let error = found.map_or(f64::MAX, |t| (t - 1.0).abs());
+        let error = error(large).unwrap_or(f64::MAX);
         let power = if error > 0.0 { libm::log10(error).clamp(lowest, highest) } else { lowest };
         let hue = if error > crate::lessons::TOLERANCE { Hue::Vermilion } else { Hue::Green };
         page.drawing.disk((x_of(k), y_of(power)), 3.4, theme.hue(hue));

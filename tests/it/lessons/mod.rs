@@ -2,6 +2,7 @@
 
 mod aabb;
 mod book;
+mod camera;
 mod pages;
 mod plane;
 mod program;
@@ -27,7 +28,7 @@ struct Course {
     wrong: fn() -> Vec<(&'static str, Lesson)>,
 }
 
-const COURSE: [Course; 6] = [
+const COURSE: [Course; 7] = [
     Course {
         folder: "lessons/01-vectors",
         unsolved: vectors::unsolved,
@@ -43,6 +44,7 @@ const COURSE: [Course; 6] = [
     },
     Course { folder: "lessons/04-box", unsolved: aabb::unsolved, solved: aabb::solved, wrong: aabb::wrong },
     Course { folder: "lessons/05-sphere", unsolved: sphere::unsolved, solved: sphere::solved, wrong: sphere::wrong },
+    Course { folder: "lessons/06-camera", unsolved: camera::unsolved, solved: camera::solved, wrong: camera::wrong },
     Course {
         folder: "lessons/11-numbers",
         unsolved: rounding::unsolved,
@@ -217,6 +219,7 @@ fn wild_answers_have_pictures() {
             triangle::answering(wild, w, TriangleHit { t: wild, barycentrics: w }),
             aabb::answering(span, wild),
             sphere::answering(w, span, wild, v),
+            camera::answering(wild, v),
             rounding::answering(span, v, if wild > 0.0 { i32::MAX } else { i32::MIN }),
         ];
         for lesson in lessons {

@@ -1,13 +1,14 @@
 //! The numbers that the pages work out by hand are those of the solutions.
 
-use glam::{DVec3, dvec2, dvec3};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 use raytree::kernels::{
     Start, TriangleFilter, intersect_box_certified, intersect_plane_certified, intersect_sphere_certified,
     intersect_triangle_certified, triangle_lecture_values,
 };
-use raytree::lessons::{Aabb, Plane, Random, Ray, Span, Sphere, Triangle, shown};
+use raytree::lessons::{Aabb, Camera, Plane, Random, Ray, Span, Sphere, Triangle, shown};
 
 use super::aabb::solution as boxes;
+use super::camera::solution as cameras;
 use super::plane::solution as planes;
 use super::rounding::solution as rounding;
 use super::sphere::solution as spheres;
@@ -160,6 +161,41 @@ fn lesson_05() {
             format!("comes in at ${}$ and goes out at ${}$", vector(ray.at(t_in)), vector(ray.at(t_out))),
             format!("$a = {}$, $b = {}$, $c = {}$ and the roots", shown(p), shown(q), shown(r)),
             format!("are ${}$ and ${}$", shown(inside.t_in), shown(inside.t_out)),
+        ],
+    );
+}
+
+#[test]
+fn lesson_06() {
+    let camera = Camera {
+        eye: DVec3::ZERO,
+        forward: -DVec3::Z,
+        right: DVec3::X,
+        up: DVec3::Y,
+        fov_y_degrees: 90.0,
+        width: 4,
+        height: 2,
+    };
+    let h = |degrees: f64| shown(cameras::half_height(degrees));
+    let corner = cameras::on_image(0, 0, 4, 2);
+    let middle = cameras::on_image(2, 1, 5, 3);
+    let p = cameras::image_point(&camera, corner);
+    let ray = cameras::compute_ray(&camera, 0, 0);
+    let edge = |width: u32| cameras::image_point(&Camera { width, ..camera }, DVec2::ONE);
+    assert_eq!((shown(edge(4).x), shown(edge(8).x), shown(edge(8).y)), ("2".into(), "4".into(), "1".into()));
+    assert!((ray.direction * p.length() - p).length() < 1e-12);
+    says(
+        "06-camera",
+        &[
+            format!(r"For $90^\circ$ that is $\tan 45^\circ = {}$, for $60^\circ$ it is {}.", h(90.0), h(60.0)),
+            format!(r"$u = 2 \cdot 0.5 / 4 - 1 = {}$", shown(corner.x)),
+            format!(r"$v = 1 - 2 \cdot 0.5 / 2 = {}$", shown(corner.y)),
+            format!("is at ${}$", vector(p)),
+            format!(r"$\sqrt{{2.25 + 0.25 + 1}} = {}$", shown(p.length())),
+            format!(r"$\tan 60^\circ = {}$. The longest side", h(120.0)),
+            format!(r"$\sqrt{{1 + 3}} = {}$", shown(cameras::half_height(120.0).hypot(1.0))),
+            format!(r"$u = 2 \cdot 2.5 / 5 - 1 = {}$", shown(middle.x)),
+            format!(r"$v = 1 - 2 \cdot 1.5 / 3 = {}$", shown(middle.y)),
         ],
     );
 }
