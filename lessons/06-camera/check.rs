@@ -4,8 +4,8 @@ use std::process::ExitCode;
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use raytree::lessons::{
-    Answer, Camera, Case, ClassicFault, Fault, Lesson, Pixel, Procedures, Random, Ray, Task, pictures, pixels,
-    random_cases, shown,
+    Answer, Camera, Case, ClassicFault, Fault, Lesson, Pixel, Procedures, Ray, Task, pictures, pixels, random_cases,
+    shown,
 };
 
 /// The student's functions.

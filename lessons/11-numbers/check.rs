@@ -997,6 +997,16 @@ fn is_hit() -> Task<RayAndTriangle> {
         let [v0, v1, v2] = triangle.vertices;
         [(v0, v1), (v1, v2), (v2, v0)].map(|(p, q)| exact_side(&(*ray, p, q)))
     }
+    /// As in lesson 03, with a t for the plane.
+    fn by_weights((ray, triangle): &RayAndTriangle, t: fn(&Ray, DVec3, DVec3) -> f64) -> bool {
+        let [v0, v1, v2] = triangle.vertices;
+        let n = (v1 - v0).cross(v2 - v0);
+        let t = t(ray, n, v0);
+        let p = ray.at(t);
+        let weight = |from: DVec3, to: DVec3| (to - from).cross(p - from).dot(n) / n.dot(n);
+        let (a, b) = (weight(v1, v2), weight(v2, v0));
+        t >= 0.0 && a >= 0.0 && b >= 0.0 && a + b <= 1.0
+    }
     const FAULTS: &[Fault<RayAndTriangle>] = &[
         Fault {
             id: "watertight-lecture",
@@ -1004,6 +1014,20 @@ fn is_hit() -> Task<RayAndTriangle> {
             why: "On an edge a weight is 0 but for rounding, and where both neighbours round to the negative the ray \
                   slips through between them. Ask your side for the signs.",
             answer: |(ray, triangle)| hit(intersect_triangle_lecture(ray, triangle).is_ok()),
+        },
+        Fault {
+            id: "watertight-lesson-03",
+            name: "the triangle is that of lesson 03, whose weights are rounded",
+            why: "On an edge a weight is 0 but for rounding, and where both neighbours round to the negative the ray \
+                  slips through between them. Ask your side for the signs.",
+            answer: |case| hit(by_weights(case, |ray, n, v0| (n.dot(v0) - n.dot(ray.origin)) / n.dot(ray.direction))),
+        },
+        Fault {
+            id: "watertight-lesson-03-difference",
+            name: "the triangle is that of lesson 03, whose weights are rounded",
+            why: "On an edge a weight is 0 but for rounding, and where both neighbours round to the negative the ray \
+                  slips through between them. Ask your side for the signs.",
+            answer: |case| hit(by_weights(case, |ray, n, v0| n.dot(v0 - ray.origin) / n.dot(ray.direction))),
         },
         Fault {
             id: "watertight-moller-trumbore",

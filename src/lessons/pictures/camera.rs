@@ -86,12 +86,11 @@ pub fn pixel_grid([x, y, width, height]: [u32; 4], what: &Shown) -> Drawing {
     for (place, words) in [(DVec2::NEG_ONE, "(-1, -1)"), (DVec2::ONE, "(1, 1)")] {
         sketch.name_in(at(place), words, sketch.theme.muted);
     }
-    let told = |p: DVec2| format!("({}, {})", shown(p.x), shown(p.y));
     sketch.disk(at(right), 5.0, green.color);
-    sketch.name_in(at(right), format!("true {}", told(right)), green.color);
+    sketch.name_in(at(right), "true", green.color);
     if let Some(p) = got.filter(|p| is_near(*p)) {
         sketch.disk(at(p), 5.0, red.color);
-        sketch.name_in(at(p), format!("yours {}", told(p)), red.color);
+        sketch.name_in(at(p), "yours", red.color);
     }
     sketch.finish();
     page.drawing
@@ -109,10 +108,8 @@ pub fn image_plane(camera: &Camera, halves: DVec2, on_image: DVec2, what: &Shown
     if let Some(way) = got {
         let distance = way.dot(camera.forward);
         if (distance - 1.0).abs() > 1e-6 {
-            page.note(&format!(
-                "Your point is not on the plane: it is {} in front of the eye, not 1.",
-                shown(distance)
-            ));
+            let side = if distance < 0.0 { "behind" } else { "in front of" };
+            page.note(&format!("Your point is not on the plane: it is {} {side} the eye.", shown(distance.abs())));
         }
         if !is_near {
             page.note("Your point lies too far away to be drawn.");
@@ -127,12 +124,15 @@ pub fn image_plane(camera: &Camera, halves: DVec2, on_image: DVec2, what: &Shown
     let [a, b, c, d] = frame.corners();
     sketch.keep_off(&[a, b, c, d, a]);
     let zero = at(DVec2::ZERO);
-    for (end, words) in [(DVec2::new(halves.x, 0.0), shown(halves.x)), (DVec2::new(0.0, halves.y), shown(halves.y))] {
+    for (end, letter, length) in
+        [(DVec2::new(halves.x, 0.0), "w", halves.x), (DVec2::new(0.0, halves.y), "h", halves.y)]
+    {
         sketch.line(zero, at(end), given);
+        let words = Words::default().tex(&format!("{letter} = {}", shown(length)));
         sketch.beside(zero, at(end), words, given.color);
     }
     sketch.dot(zero, given.color);
-    sketch.name_in(zero, Words::default().tex(r"\mathbf{eye} + \mathbf{forward}"), given.color);
+    sketch.name_in(zero, "the middle", given.color);
     sketch.disk(at(right), 5.5, green.color);
     sketch.name_in(at(right), "true", green.color);
     if let Some(p) = wished.first().filter(|_| is_near) {
