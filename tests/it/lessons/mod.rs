@@ -1,5 +1,8 @@
 //! The course: every exercise fails in a friendly way, every solution passes, known mistakes are named and drawn; the pages.
 
+#[macro_use]
+mod planted;
+
 mod aabb;
 mod book;
 mod camera;
