@@ -742,7 +742,7 @@ fn leave() -> Task<Departure> {
         },
         Fault {
             id: "leave-fixed-small",
-            name: "the distance is a fixed number: small enough for large scenes, too large for small ones, and lost in huge ones",
+            name: "the distance is a fixed number, too large for small scenes and lost in large ones",
             why: "Rounding is a share of the numbers themselves: make the distance a share of the sizes of ray.origin \
                   and of t d.",
             answer: |case| case.judge(case.point() + 1e-7 * case.outward()),
@@ -1153,7 +1153,8 @@ fn is_hit() -> Task<RayAndTriangle> {
                 [truly, yours]
             };
             let meanings = Meanings {
-                about: "This triangle and a neighbour share the nearest edge. Each point is a ray that starts a little further, by units in the last place.",
+                about: "This triangle and its neighbour at the nearest edge; from point to point a ray starts by units in the \
+                        last place further.",
                 full: "one of them is hit, or both",
                 empty: "none is hit",
                 extra: "more is hit than should be",

@@ -196,6 +196,11 @@ fn a_panic_is_an_answer() {
 fn answers_are_compared_within_the_tolerance_and_told_apart() {
     let run = |answer: fn(f64) -> f64| doubling(&[]).stage(move |x| Answer::of("length", answer(*x))).run().failure;
     assert!(run(|x| 2.0 * x + 5e-10).is_none());
+    let endless = |x: f64| Answer::of("t", x);
+    assert!(endless(f64::INFINITY).agrees(&endless(f64::INFINITY)));
+    assert!(
+        !endless(f64::INFINITY).agrees(&endless(f64::NEG_INFINITY)) && !endless(0.0).agrees(&endless(f64::INFINITY))
+    );
     let failure = run(|x| 2.0 * x + 3e-9).unwrap();
     assert_eq!((failure.expected.as_str(), failure.got.as_deref()), ("length = 2", Some("length = 2.000000003")));
     // 1/3 reads the same with six digits, so that all are told.
