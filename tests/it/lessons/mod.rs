@@ -5,11 +5,13 @@ mod planted;
 
 mod aabb;
 mod book;
+mod camera;
 mod pages;
 mod plane;
 mod program;
 mod reflection;
 mod refraction;
+mod rounding;
 mod shadows;
 mod sphere;
 mod trace;
@@ -33,7 +35,7 @@ struct Course {
     wrong: fn() -> Vec<(&'static str, Lesson)>,
 }
 
-const COURSE: [Course; 9] = [
+const COURSE: [Course; 11] = [
     Course {
         folder: "lessons/01-vectors",
         unsolved: vectors::unsolved,
@@ -49,6 +51,7 @@ const COURSE: [Course; 9] = [
     },
     Course { folder: "lessons/04-box", unsolved: aabb::unsolved, solved: aabb::solved, wrong: aabb::wrong },
     Course { folder: "lessons/05-sphere", unsolved: sphere::unsolved, solved: sphere::solved, wrong: sphere::wrong },
+    Course { folder: "lessons/06-camera", unsolved: camera::unsolved, solved: camera::solved, wrong: camera::wrong },
     Course { folder: "lessons/07-trace", unsolved: trace::unsolved, solved: trace::solved, wrong: trace::wrong },
     Course {
         folder: "lessons/08-shadows",
@@ -67,6 +70,12 @@ const COURSE: [Course; 9] = [
         unsolved: refraction::unsolved,
         solved: refraction::solved,
         wrong: refraction::wrong,
+    },
+    Course {
+        folder: "lessons/11-numbers",
+        unsolved: rounding::unsolved,
+        solved: rounding::solved,
+        wrong: rounding::wrong,
     },
 ];
 
@@ -211,6 +220,11 @@ fn a_panic_is_an_answer() {
 fn answers_are_compared_within_the_tolerance_and_told_apart() {
     let run = |answer: fn(f64) -> f64| doubling(&[]).stage(move |x| Answer::of("length", answer(*x))).run().failure;
     assert!(run(|x| 2.0 * x + 5e-10).is_none());
+    let endless = |x: f64| Answer::of("t", x);
+    assert!(endless(f64::INFINITY).agrees(&endless(f64::INFINITY)));
+    assert!(
+        !endless(f64::INFINITY).agrees(&endless(f64::NEG_INFINITY)) && !endless(0.0).agrees(&endless(f64::INFINITY))
+    );
     let failure = run(|x| 2.0 * x + 3e-9).unwrap();
     assert_eq!((failure.expected.as_str(), failure.got.as_deref()), ("length = 2", Some("length = 2.000000003")));
     // Nothing is near an infinity but itself.
@@ -246,6 +260,8 @@ fn wild_answers_have_pictures() {
             shadows::answering(v, wild),
             reflection::answering(v),
             refraction::answering(v),
+            camera::answering(wild, v),
+            rounding::answering(span, v, if wild > 0.0 { i32::MAX } else { i32::MIN }),
         ];
         for lesson in lessons {
             for stage in lesson.stages {
