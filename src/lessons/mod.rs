@@ -10,11 +10,13 @@
 mod answer;
 mod attempt;
 pub mod pictures;
+mod program;
 mod report;
 mod task;
 mod words;
 
 pub use answer::{Answer, TOLERANCE, Value};
+pub use program::{Camera, DirectLight, Hit, Material, Object, Pixel, Procedures, Program, ShadowRay, pixels};
 pub use report::{Broken, Failure, FailureKind, Lesson, Mistake, Outcome, Report, StageReport};
 pub use task::{Case, Checked, Fault, Picture, Stage, Task, random_cases};
 pub use words::shown;
@@ -32,6 +34,8 @@ pub type Aabb = crate::kernels::Aabb<f64>;
 /// A sphere: `center` and `radius`.
 pub type Sphere = crate::kernels::Sphere<f64>;
 pub use crate::accuracy::random::Random;
+pub use crate::faults::Fault as ClassicFault;
+pub use crate::scene::{Light, LightKind, Rgb};
 
 /// The part of a ray's line that lies in something, as the values of t at its two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]

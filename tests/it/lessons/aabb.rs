@@ -14,97 +14,36 @@ mod exercise;
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]
 pub(super) mod solution;
 
-pub(super) fn unsolved() -> Lesson {
-    check::lesson(check::Student {
-        slab: exercise::slab,
-        rectangle: exercise::rectangle,
-        box_span: exercise::box_span,
-        intersect: exercise::intersect,
-    })
-}
-
-fn student() -> check::Student {
-    check::Student {
-        slab: solution::slab,
-        rectangle: solution::rectangle,
-        box_span: solution::box_span,
-        intersect: solution::intersect,
-    }
-}
-
-pub(super) fn solved() -> Lesson {
-    check::lesson(student())
-}
+course!(slab, rectangle, box_span, intersect);
 
 /// Wrong functions as a student might write them, with the names of their mistakes.
 pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
-    let right = student();
-    let with = |id, student| (id, check::lesson(student));
-    vec![
-        with(
-            "slab-unsorted",
-            check::Student { slab: |o, d, low, high| Span { t_in: (low - o) / d, t_out: (high - o) / d }, ..right },
-        ),
-        with(
-            "slab-swapped",
-            check::Student {
-                slab: |o, d, low, high| {
-                    let span = solution::slab(o, d, low, high);
-                    Span { t_in: span.t_out, t_out: span.t_in }
-                },
-                ..right
-            },
-        ),
-        with(
-            "rectangle-min-max-swapped",
-            check::Student {
-                rectangle: |o, d, min, max| {
-                    let (x, y) = (solution::slab(o.x, d.x, min.x, max.x), solution::slab(o.y, d.y, min.y, max.y));
-                    let (t_in, t_out) = (x.t_in.min(y.t_in), x.t_out.max(y.t_out));
-                    if t_in > t_out || t_out < 0.0 { None } else { Some(Span { t_in, t_out }) }
-                },
-                ..right
-            },
-        ),
-        with(
-            "rectangle-behind",
-            check::Student {
-                rectangle: |o, d, min, max| {
-                    let (x, y) = (solution::slab(o.x, d.x, min.x, max.x), solution::slab(o.y, d.y, min.y, max.y));
-                    let (t_in, t_out) = (x.t_in.max(y.t_in), x.t_out.min(y.t_out));
-                    if t_in > t_out { None } else { Some(Span { t_in, t_out }) }
-                },
-                ..right
-            },
-        ),
-        with(
-            "box-without-z",
-            check::Student {
-                box_span: |ray, aabb| {
-                    let flat = |v: glam::DVec3| v.truncate();
-                    solution::rectangle(flat(ray.origin), flat(ray.direction), flat(aabb.min), flat(aabb.max))
-                },
-                ..right
-            },
-        ),
-        with(
-            "box-inside",
-            check::Student { box_span: |ray, aabb| solution::box_span(ray, aabb).filter(|s| s.t_in >= 0.0), ..right },
-        ),
-        with(
-            "box-entry-inside",
-            check::Student { intersect: |ray, aabb| solution::box_span(ray, aabb).map(|span| span.t_in), ..right },
-        ),
-        with(
-            "box-inside-none",
-            check::Student {
-                intersect: |ray, aabb| {
-                    let t = solution::box_span(ray, aabb)?.t_in;
-                    if t < 0.0 { None } else { Some(t) }
-                },
-                ..right
-            },
-        ),
+    planted![
+        "slab-unsorted": slab = |o, d, low, high| Span { t_in: (low - o) / d, t_out: (high - o) / d },
+        "slab-swapped": slab = |o, d, low, high| {
+            let span = solution::slab(o, d, low, high);
+            Span { t_in: span.t_out, t_out: span.t_in }
+        },
+        "rectangle-min-max-swapped": rectangle = |o, d, min, max| {
+            let (x, y) = (solution::slab(o.x, d.x, min.x, max.x), solution::slab(o.y, d.y, min.y, max.y));
+            let (t_in, t_out) = (x.t_in.min(y.t_in), x.t_out.max(y.t_out));
+            if t_in > t_out || t_out < 0.0 { None } else { Some(Span { t_in, t_out }) }
+        },
+        "rectangle-behind": rectangle = |o, d, min, max| {
+            let (x, y) = (solution::slab(o.x, d.x, min.x, max.x), solution::slab(o.y, d.y, min.y, max.y));
+            let (t_in, t_out) = (x.t_in.max(y.t_in), x.t_out.min(y.t_out));
+            if t_in > t_out { None } else { Some(Span { t_in, t_out }) }
+        },
+        "box-without-z": box_span = |ray, aabb| {
+            let flat = |v: glam::DVec3| v.truncate();
+            solution::rectangle(flat(ray.origin), flat(ray.direction), flat(aabb.min), flat(aabb.max))
+        },
+        "box-inside": box_span = |ray, aabb| solution::box_span(ray, aabb).filter(|s| s.t_in >= 0.0),
+        "box-entry-inside": intersect = |ray, aabb| solution::box_span(ray, aabb).map(|span| span.t_in),
+        "box-inside-none": intersect = |ray, aabb| {
+            let t = solution::box_span(ray, aabb)?.t_in;
+            if t < 0.0 { None } else { Some(t) }
+        },
     ]
 }
 

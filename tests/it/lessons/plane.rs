@@ -14,93 +14,34 @@ mod exercise;
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]
 pub(super) mod solution;
 
-pub(super) fn unsolved() -> Lesson {
-    check::lesson(check::Student {
-        plane_from: exercise::plane_from,
-        signed_distance: exercise::signed_distance,
-        intersect: exercise::intersect,
-    })
-}
-
-fn student() -> check::Student {
-    check::Student {
-        plane_from: solution::plane_from,
-        signed_distance: solution::signed_distance,
-        intersect: solution::intersect,
-    }
-}
-
-pub(super) fn solved() -> Lesson {
-    check::lesson(student())
-}
+course!(plane_from, signed_distance, intersect);
 
 /// Wrong functions as a student might write them, with the names of their mistakes.
 pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
-    let right = student();
-    let with = |id, student| (id, check::lesson(student));
-    vec![
-        with("normal-not-unit", check::Student { plane_from: |p, n| Plane { normal: n, distance: n.dot(p) }, ..right }),
-        with(
-            "plane-d-sign",
-            check::Student {
-                plane_from: |p, n| Plane { normal: n / n.length(), distance: -(n / n.length()).dot(p) },
-                ..right
-            },
-        ),
-        with(
-            "distance-plus-d",
-            check::Student { signed_distance: |p, plane| plane.normal.dot(p) + plane.distance, ..right },
-        ),
-        with(
-            "distance-unsigned",
-            check::Student { signed_distance: |p, plane| solution::signed_distance(p, plane).abs(), ..right },
-        ),
-        with(
-            "plane-t-sign",
-            check::Student {
-                intersect: |ray, plane| {
-                    let t = (ray.origin.dot(plane.normal) - plane.distance) / ray.direction.dot(plane.normal);
-                    if t < 0.0 { None } else { Some(t) }
-                },
-                ..right
-            },
-        ),
-        with(
-            "plane-negative-t",
-            check::Student {
-                intersect: |ray, plane| {
-                    let below = ray.direction.dot(plane.normal);
-                    if below == 0.0 {
-                        return None;
-                    }
-                    Some((plane.distance - ray.origin.dot(plane.normal)) / below)
-                },
-                ..right
-            },
-        ),
-        with(
-            "plane-parallel",
-            check::Student {
-                intersect: |ray, plane| {
-                    let t = -solution::signed_distance(ray.origin, plane) / ray.direction.dot(plane.normal);
-                    if t >= 0.0 { Some(t) } else { None }
-                },
-                ..right
-            },
-        ),
-        with(
-            "plane-t-in-lengths",
-            check::Student {
-                intersect: |ray, plane| {
-                    solution::intersect(&Ray { direction: ray.direction.normalize(), ..*ray }, plane)
-                },
-                ..right
-            },
-        ),
-        with(
-            "ray-without-start",
-            check::Student { intersect: |ray, plane| solution::intersect(ray, plane).filter(|t| *t > 0.0), ..right },
-        ),
+    planted![
+        "normal-not-unit": plane_from = |p, n| Plane { normal: n, distance: n.dot(p) },
+        "plane-d-sign": plane_from = |p, n| Plane { normal: n / n.length(), distance: -(n / n.length()).dot(p) },
+        "distance-plus-d": signed_distance = |p, plane| plane.normal.dot(p) + plane.distance,
+        "distance-unsigned": signed_distance = |p, plane| solution::signed_distance(p, plane).abs(),
+        "plane-t-sign": intersect = |ray, plane| {
+            let t = (ray.origin.dot(plane.normal) - plane.distance) / ray.direction.dot(plane.normal);
+            if t < 0.0 { None } else { Some(t) }
+        },
+        "plane-negative-t": intersect = |ray, plane| {
+            let below = ray.direction.dot(plane.normal);
+            if below == 0.0 {
+                return None;
+            }
+            Some((plane.distance - ray.origin.dot(plane.normal)) / below)
+        },
+        "plane-parallel": intersect = |ray, plane| {
+            let t = -solution::signed_distance(ray.origin, plane) / ray.direction.dot(plane.normal);
+            if t >= 0.0 { Some(t) } else { None }
+        },
+        "plane-t-in-lengths": intersect = |ray, plane| {
+            solution::intersect(&Ray { direction: ray.direction.normalize(), ..*ray }, plane)
+        },
+        "ray-without-start": intersect = |ray, plane| solution::intersect(ray, plane).filter(|t| *t > 0.0),
     ]
 }
 

@@ -15,111 +15,44 @@ mod exercise;
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]
 pub(super) mod solution;
 
-pub(super) fn unsolved() -> Lesson {
-    check::lesson(check::Student {
-        coefficients: exercise::coefficients,
-        roots: exercise::roots,
-        intersect: exercise::intersect,
-        normal: exercise::normal,
-    })
-}
-
-fn student() -> check::Student {
-    check::Student {
-        coefficients: solution::coefficients,
-        roots: solution::roots,
-        intersect: solution::intersect,
-        normal: solution::normal,
-    }
-}
-
-pub(super) fn solved() -> Lesson {
-    check::lesson(student())
-}
+course!(coefficients, roots, intersect, normal);
 
 /// Wrong functions as a student might write them, with the names of their mistakes.
 pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
-    let right = student();
-    let with = |id, student| (id, check::lesson(student));
-    vec![
-        with(
-            "sphere-b-sign",
-            check::Student {
-                coefficients: |ray, sphere| {
-                    let f = sphere.center - ray.origin;
-                    [ray.direction.dot(ray.direction), 2.0 * f.dot(ray.direction), f.dot(f) - sphere.radius.powi(2)]
-                },
-                ..right
-            },
-        ),
-        with(
-            "sphere-direction-unit",
-            check::Student {
-                coefficients: |ray, sphere| {
-                    let f = ray.origin - sphere.center;
-                    [1.0, 2.0 * ray.direction.dot(f), f.length_squared() - sphere.radius * sphere.radius]
-                },
-                ..right
-            },
-        ),
-        with(
-            "quadratic-times-a",
-            check::Student {
-                roots: |a, b, c| {
-                    let disc = b * b - 4.0 * a * c;
-                    if disc < 0.0 {
-                        return None;
-                    }
-                    Some(Span { t_in: (-b - disc.sqrt()) / 2.0 * a, t_out: (-b + disc.sqrt()) / 2.0 * a })
-                },
-                ..right
-            },
-        ),
-        with(
-            "quadratic-unchecked",
-            check::Student {
-                roots: |a, b, c| {
-                    let root = (b * b - 4.0 * a * c).sqrt();
-                    Some(Span { t_in: (-b - root) / (2.0 * a), t_out: (-b + root) / (2.0 * a) })
-                },
-                ..right
-            },
-        ),
-        with(
-            "sphere-entry-inside",
-            check::Student {
-                intersect: |ray, sphere| {
-                    let [a, b, c] = solution::coefficients(ray, sphere);
-                    let span = solution::roots(a, b, c)?;
-                    if span.t_out < 0.0 { None } else { Some(span.t_in) }
-                },
-                ..right
-            },
-        ),
-        with(
-            "sphere-negative-t",
-            check::Student {
-                intersect: |ray, sphere| {
-                    let [a, b, c] = solution::coefficients(ray, sphere);
-                    solution::roots(a, b, c).map(|span| span.t_in)
-                },
-                ..right
-            },
-        ),
-        with(
-            "normal-not-flipped",
-            check::Student { normal: |ray, sphere, t| (ray.at(t) - sphere.center).normalize(), ..right },
-        ),
-        with(
-            "normal-length-of-radius",
-            check::Student {
-                normal: |ray, sphere, t| {
-                    let n = ray.at(t) - sphere.center;
-                    if n.dot(ray.direction) > 0.0 { -n } else { n }
-                },
-                ..right
-            },
-        ),
+    planted![
+        "sphere-b-sign": coefficients = |ray, sphere| {
+            let f = sphere.center - ray.origin;
+            [ray.direction.dot(ray.direction), 2.0 * f.dot(ray.direction), f.dot(f) - sphere.radius.powi(2)]
+        },
+        "sphere-direction-unit": coefficients = |ray, sphere| {
+            let f = ray.origin - sphere.center;
+            [1.0, 2.0 * ray.direction.dot(f), f.length_squared() - sphere.radius * sphere.radius]
+        },
+        "quadratic-times-a": roots = |a, b, c| {
+            let disc = b * b - 4.0 * a * c;
+            if disc < 0.0 {
+                return None;
+            }
+            Some(Span { t_in: (-b - disc.sqrt()) / 2.0 * a, t_out: (-b + disc.sqrt()) / 2.0 * a })
+        },
+        "quadratic-unchecked": roots = |a, b, c| {
+            let root = (b * b - 4.0 * a * c).sqrt();
+            Some(Span { t_in: (-b - root) / (2.0 * a), t_out: (-b + root) / (2.0 * a) })
+        },
+        "sphere-entry-inside": intersect = |ray, sphere| {
+            let [a, b, c] = solution::coefficients(ray, sphere);
+            let span = solution::roots(a, b, c)?;
+            if span.t_out < 0.0 { None } else { Some(span.t_in) }
+        },
+        "sphere-negative-t": intersect = |ray, sphere| {
+            let [a, b, c] = solution::coefficients(ray, sphere);
+            solution::roots(a, b, c).map(|span| span.t_in)
+        },
+        "normal-not-flipped": normal = |ray, sphere, t| (ray.at(t) - sphere.center).normalize(),
+        "normal-length-of-radius": normal = |ray, sphere, t| {
+            let n = ray.at(t) - sphere.center;
+            if n.dot(ray.direction) > 0.0 { -n } else { n }
+        },
     ]
 }
 

@@ -14,108 +14,50 @@ mod exercise;
 #[allow(dead_code, unreachable_pub, reason = "a program of its own")]
 pub(super) mod solution;
 
-pub(super) fn unsolved() -> Lesson {
-    check::lesson(check::Student {
-        plane_t: exercise::plane_t,
-        weights: exercise::weights,
-        is_inside: exercise::is_inside,
-        intersect: exercise::intersect,
-    })
-}
-
-fn student() -> check::Student {
-    check::Student {
-        plane_t: solution::plane_t,
-        weights: solution::weights,
-        is_inside: solution::is_inside,
-        intersect: solution::intersect,
-    }
-}
-
-pub(super) fn solved() -> Lesson {
-    check::lesson(student())
-}
+course!(plane_t, weights, is_inside, intersect);
 
 /// Wrong functions as a student might write them, with the names of their mistakes.
 pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
-    let right = student();
-    let with = |id, student| (id, check::lesson(student));
-    vec![
-        with(
-            "normal-of-corners",
-            check::Student {
-                plane_t: |ray, triangle| {
-                    let [v0, v1, v2] = triangle.vertices;
-                    let n = v1.cross(v2);
-                    let t = (n.dot(v0) - n.dot(ray.origin)) / n.dot(ray.direction);
-                    if t >= 0.0 { Some(t) } else { None }
-                },
-                ..right
-            },
-        ),
-        with(
-            "barycentrics-a-b-exchanged",
-            check::Student {
-                weights: |p, triangle| {
-                    let [a, b, c] = solution::weights(p, triangle);
-                    [b, a, c]
-                },
-                ..right
-            },
-        ),
-        with(
-            "barycentrics-permuted-back",
-            check::Student {
-                // Moller and Trumbore's u and v first.
-                weights: |p, triangle| {
-                    let [v0, v1, v2] = triangle.vertices;
-                    let (e1, e2, s) = (v1 - v0, v2 - v0, p - v0);
-                    let n = e1.cross(e2);
-                    let (u, v) = (s.cross(e2).dot(n) / n.dot(n), e1.cross(s).dot(n) / n.dot(n));
-                    [u, v, 1.0 - u - v]
-                },
-                ..right
-            },
-        ),
-        with(
-            "barycentrics-unsigned-rest",
-            check::Student {
-                weights: |p, triangle| {
-                    let [v0, v1, v2] = triangle.vertices;
-                    let whole = (v1 - v0).cross(v2 - v0).length() / 2.0;
-                    let a = (v1 - p).cross(v2 - p).length() / 2.0 / whole;
-                    let b = (v2 - p).cross(v0 - p).length() / 2.0 / whole;
-                    [a, b, 1.0 - a - b]
-                },
-                ..right
-            },
-        ),
-        with("b-above-one", check::Student { is_inside: |a, b| !(b > 1.0 || a < 0.0 || b < 0.0), ..right }),
-        with("sum-forgotten", check::Student { is_inside: |a, b| !(a < 0.0 || b < 0.0), ..right }),
-        with("border-left-out", check::Student { is_inside: |a, b| a > 0.0 && b > 0.0 && 1.0 - a - b > 0.0, ..right }),
-        with(
-            "triangle-no-inside-test",
-            check::Student {
-                intersect: |ray, triangle| {
-                    let t = solution::plane_t(ray, triangle)?;
-                    Some(TriangleHit { t, barycentrics: solution::weights(ray.at(t), triangle) })
-                },
-                ..right
-            },
-        ),
-        with(
-            "triangle-culled",
-            check::Student {
-                intersect: |ray, triangle| {
-                    let [v0, v1, v2] = triangle.vertices;
-                    if (v1 - v0).cross(v2 - v0).dot(ray.direction) > 0.0 {
-                        return None;
-                    }
-                    solution::intersect(ray, triangle)
-                },
-                ..right
-            },
-        ),
+    planted![
+        "normal-of-corners": plane_t = |ray, triangle| {
+            let [v0, v1, v2] = triangle.vertices;
+            let n = v1.cross(v2);
+            let t = (n.dot(v0) - n.dot(ray.origin)) / n.dot(ray.direction);
+            if t >= 0.0 { Some(t) } else { None }
+        },
+        "barycentrics-a-b-exchanged": weights = |p, triangle| {
+            let [a, b, c] = solution::weights(p, triangle);
+            [b, a, c]
+        },
+        // Moller and Trumbore's u and v first.
+        "barycentrics-permuted-back": weights = |p, triangle| {
+            let [v0, v1, v2] = triangle.vertices;
+            let (e1, e2, s) = (v1 - v0, v2 - v0, p - v0);
+            let n = e1.cross(e2);
+            let (u, v) = (s.cross(e2).dot(n) / n.dot(n), e1.cross(s).dot(n) / n.dot(n));
+            [u, v, 1.0 - u - v]
+        },
+        "barycentrics-unsigned-rest": weights = |p, triangle| {
+            let [v0, v1, v2] = triangle.vertices;
+            let whole = (v1 - v0).cross(v2 - v0).length() / 2.0;
+            let a = (v1 - p).cross(v2 - p).length() / 2.0 / whole;
+            let b = (v2 - p).cross(v0 - p).length() / 2.0 / whole;
+            [a, b, 1.0 - a - b]
+        },
+        "b-above-one": is_inside = |a, b| !(b > 1.0 || a < 0.0 || b < 0.0),
+        "sum-forgotten": is_inside = |a, b| !(a < 0.0 || b < 0.0),
+        "border-left-out": is_inside = |a, b| a > 0.0 && b > 0.0 && 1.0 - a - b > 0.0,
+        "triangle-no-inside-test": intersect = |ray, triangle| {
+            let t = solution::plane_t(ray, triangle)?;
+            Some(TriangleHit { t, barycentrics: solution::weights(ray.at(t), triangle) })
+        },
+        "triangle-culled": intersect = |ray, triangle| {
+            let [v0, v1, v2] = triangle.vertices;
+            if (v1 - v0).cross(v2 - v0).dot(ray.direction) > 0.0 {
+                return None;
+            }
+            solution::intersect(ray, triangle)
+        },
     ]
 }
 
