@@ -185,84 +185,6 @@ fn material(shininess: f64, specular: f64) -> Material {
 }
 
 #[test]
-fn lesson_07() {
-    let (n, l, down) = (DVec3::Y, dvec3(0.6, 0.8, 0.0), DVec3::NEG_Y);
-    let highlight = |s: f64, k: f64| shown(traces::specular(&material(s, k), n, l, down, Rgb::ONE).x);
-    let r = 2.0 * n.dot(l) * n - l;
-    let green_on_red = Material { color: Rgb::X, ..material(1.0, 0.0) };
-    assert_eq!(traces::diffuse(&green_on_red, n, n, Rgb::Y), Rgb::ZERO);
-    assert_eq!(shown(libm::cos(60f64.to_radians())), "0.5");
-    says(
-        "07-trace",
-        &[
-            format!("the diffuse term is ${}$", vector(traces::diffuse(&material(1.0, 0.0), n, l, Rgb::ONE))),
-            format!(r"$\mathbf{{r}} = {}$", vector(r)),
-            format!(r"$\mathbf{{r}} \cdot \mathbf{{v}} = {}$", shown(r.dot(-down))),
-            format!(r"the highlight is $0.4 \cdot 0.64 = {}$", highlight(2.0, 0.4)),
-            format!("${}$, ${}$ and ${}$", highlight(1.0, 1.0), highlight(2.0, 1.0), highlight(20.0, 1.0)),
-        ],
-    );
-}
-
-#[test]
-fn lesson_08() {
-    let (point, position) = (dvec3(1.0, 0.0, 2.0), dvec3(4.0, 4.0, 2.0));
-    let light = Light { name: String::new(), kind: LightKind::Point { position }, color: Rgb::ONE };
-    let shadow = shadows::shadow_ray(point, &light);
-    let past = Ray { origin: point, direction: position - point }.at(shadow.t_max);
-    says(
-        "08-shadows",
-        &[
-            format!(
-                "the way is ${}$, its length {}, the direction ${}$ and $t_{{max}} = {}$",
-                vector(position - point),
-                shown((position - point).length()),
-                vector(shadow.ray.direction),
-                shown(shadow.t_max)
-            ),
-            format!("the ray ends at ${}$, {} away", vector(past), shown(past.distance(point))),
-        ],
-    );
-}
-
-#[test]
-fn lesson_09() {
-    let reflected = |d: DVec3| vector(reflections::reflected_direction(d, DVec3::Y));
-    says(
-        "09-reflection",
-        &[
-            format!(r"$\mathbf{{r}} = (3, -4, 0) + 8 \cdot (0, 1, 0) = {}$", reflected(dvec3(3.0, -4.0, 0.0))),
-            format!(r"$\mathbf{{r}} = (0, -2, 0) + 4 \cdot (0, 1, 0) = {}$", reflected(dvec3(0.0, -2.0, 0.0))),
-            format!("$0.7^5 = {}$, the tenth ${}$", shown(libm::pow(0.7, 5.0)), shown(libm::pow(0.7, 10.0))),
-        ],
-    );
-}
-
-#[test]
-fn lesson_10() {
-    let refracted = |d: DVec3, n1: f64, n2: f64| refractions::refracted_direction(d, DVec3::Y, n1, n2);
-    let slanted = dvec3(0.6, -0.8, 0.0);
-    let [into, out] = [refracted(slanted, 1.0, 1.5), refracted(slanted, 1.5, 1.0)].map(Option::unwrap);
-    assert_eq!(refracted(dvec3(0.8, -0.6, 0.0), 1.5, 1.0), None);
-    assert!(refracted(DVec3::NEG_Y, 1.0, 1.5).unwrap().distance(DVec3::NEG_Y) < 1e-15);
-    let below = |eta: f64, sine_sq: f64| shown(1.0 - eta * eta * sine_sq);
-    let critical = libm::asin(1.0 / 1.5).to_degrees();
-    says(
-        "10-refraction",
-        &[
-            format!(r"$1 - 4/9 \cdot 0.36 = {}$", below(2.0 / 3.0, 0.36)),
-            format!(r"$\cos\theta_2 = {}$. The direction is ${}$", shown(-into.y), vector(into)),
-            format!(r"$1 - 2.25 \cdot 0.64 = {}$", below(1.5, 0.64)),
-            format!("No angle has the sine ${}$", shown(1.5 * 0.8)),
-            format!("for glass {}, at {} degrees", shown(1.0 / 1.5), shown(critical)),
-            format!(r"$1 - 2.25 \cdot 0.36 = {}$", below(1.5, 0.36)),
-            format!(r"$\cos\theta_2 = {}$, and the direction is ${}$", shown(-out.y), vector(out)),
-            format!("$1 + 2 + 4 + 8 + 16 = {}$", (0..=4).map(|level| 1 << level).sum::<i32>()),
-        ],
-    );
-}
-
-#[test]
 fn lesson_06() {
     let camera = Camera {
         eye: DVec3::ZERO,
@@ -377,6 +299,84 @@ fn leaks(random: &mut Random) -> Wrong {
         wrong.add(true, before, both.iter().any(|t| rounding::is_hit(&ray, t)));
     }
     wrong
+}
+
+#[test]
+fn lesson_07() {
+    let (n, l, down) = (DVec3::Y, dvec3(0.6, 0.8, 0.0), DVec3::NEG_Y);
+    let highlight = |s: f64, k: f64| shown(traces::specular(&material(s, k), n, l, down, Rgb::ONE).x);
+    let r = 2.0 * n.dot(l) * n - l;
+    let green_on_red = Material { color: Rgb::X, ..material(1.0, 0.0) };
+    assert_eq!(traces::diffuse(&green_on_red, n, n, Rgb::Y), Rgb::ZERO);
+    assert_eq!(shown(libm::cos(60f64.to_radians())), "0.5");
+    says(
+        "07-trace",
+        &[
+            format!("the diffuse term is ${}$", vector(traces::diffuse(&material(1.0, 0.0), n, l, Rgb::ONE))),
+            format!(r"$\mathbf{{r}} = {}$", vector(r)),
+            format!(r"$\mathbf{{r}} \cdot \mathbf{{v}} = {}$", shown(r.dot(-down))),
+            format!(r"the highlight is $0.4 \cdot 0.64 = {}$", highlight(2.0, 0.4)),
+            format!("${}$, ${}$ and ${}$", highlight(1.0, 1.0), highlight(2.0, 1.0), highlight(20.0, 1.0)),
+        ],
+    );
+}
+
+#[test]
+fn lesson_08() {
+    let (point, position) = (dvec3(1.0, 0.0, 2.0), dvec3(4.0, 4.0, 2.0));
+    let light = Light { name: String::new(), kind: LightKind::Point { position }, color: Rgb::ONE };
+    let shadow = shadows::shadow_ray(point, &light);
+    let past = Ray { origin: point, direction: position - point }.at(shadow.t_max);
+    says(
+        "08-shadows",
+        &[
+            format!(
+                "the way is ${}$, its length {}, the direction ${}$ and $t_{{max}} = {}$",
+                vector(position - point),
+                shown((position - point).length()),
+                vector(shadow.ray.direction),
+                shown(shadow.t_max)
+            ),
+            format!("the ray ends at ${}$, {} away", vector(past), shown(past.distance(point))),
+        ],
+    );
+}
+
+#[test]
+fn lesson_09() {
+    let reflected = |d: DVec3| vector(reflections::reflected_direction(d, DVec3::Y));
+    says(
+        "09-reflection",
+        &[
+            format!(r"$\mathbf{{r}} = (3, -4, 0) + 8 \cdot (0, 1, 0) = {}$", reflected(dvec3(3.0, -4.0, 0.0))),
+            format!(r"$\mathbf{{r}} = (0, -2, 0) + 4 \cdot (0, 1, 0) = {}$", reflected(dvec3(0.0, -2.0, 0.0))),
+            format!("$0.7^5 = {}$, the tenth ${}$", shown(libm::pow(0.7, 5.0)), shown(libm::pow(0.7, 10.0))),
+        ],
+    );
+}
+
+#[test]
+fn lesson_10() {
+    let refracted = |d: DVec3, n1: f64, n2: f64| refractions::refracted_direction(d, DVec3::Y, n1, n2);
+    let slanted = dvec3(0.6, -0.8, 0.0);
+    let [into, out] = [refracted(slanted, 1.0, 1.5), refracted(slanted, 1.5, 1.0)].map(Option::unwrap);
+    assert_eq!(refracted(dvec3(0.8, -0.6, 0.0), 1.5, 1.0), None);
+    assert!(refracted(DVec3::NEG_Y, 1.0, 1.5).unwrap().distance(DVec3::NEG_Y) < 1e-15);
+    let below = |eta: f64, sine_sq: f64| shown(1.0 - eta * eta * sine_sq);
+    let critical = libm::asin(1.0 / 1.5).to_degrees();
+    says(
+        "10-refraction",
+        &[
+            format!(r"$1 - 4/9 \cdot 0.36 = {}$", below(2.0 / 3.0, 0.36)),
+            format!(r"$\cos\theta_2 = {}$. The direction is ${}$", shown(-into.y), vector(into)),
+            format!(r"$1 - 2.25 \cdot 0.64 = {}$", below(1.5, 0.64)),
+            format!("No angle has the sine ${}$", shown(1.5 * 0.8)),
+            format!("for glass {}, at {} degrees", shown(1.0 / 1.5), shown(critical)),
+            format!(r"$1 - 2.25 \cdot 0.36 = {}$", below(1.5, 0.36)),
+            format!(r"$\cos\theta_2 = {}$, and the direction is ${}$", shown(-out.y), vector(out)),
+            format!("$1 + 2 + 4 + 8 + 16 = {}$", (0..=4).map(|level| 1 << level).sum::<i32>()),
+        ],
+    );
 }
 
 #[test]
