@@ -40,7 +40,8 @@ pub(crate) fn lesson(student: Student) -> Lesson {
             nearest().stage(move |way| way.sent(student.nearest)),
             picture().stage(move |scenery| scenery.judge(student.build, student.nearest)),
         ],
-        notice: "Now see which boxes the real tracer's ray visits: raytree diagram scenes/mesh.json facet --kind tree -o facet.png",
+        notice: "Now see what the ray through the pixel \"facet\" hits: \
+                 raytree diagram scenes/mesh.json facet --kind triangle -o facet.png",
     }
 }
 

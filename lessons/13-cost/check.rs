@@ -42,7 +42,7 @@ pub(crate) fn lesson(student: Student) -> Lesson {
             choose().stage(move |(choices, budget)| choice((student.choose)(choices, *budget))),
             reading().stage(move |()| read((student.reading)())),
         ],
-        notice: "Now see what the filter of a certified test has to decide: raytree diagram scenes/triangle.json \"just outside\" \
+        notice: "Now see what a filter has to decide: raytree diagram scenes/triangle.json \"just outside\" \
                  --kind triangle --shape triangle -o edge.png",
     }
 }

@@ -4,6 +4,7 @@ use std::io::IsTerminal;
 use std::net::{Ipv4Addr, TcpListener};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
+use std::thread;
 
 use super::failure::Failure;
 use super::options::{TraceArgs, find_pixel};
@@ -70,9 +71,15 @@ fn listen(args: &Args, inspector: Inspector) -> Result<(), Failure> {
         // Where there is no browser, the address that was printed has to do.
         open::that_detached(&address).ok();
     }
+    let inspector = Arc::new(inspector);
     let served = progress::stoppable(|stop| {
-        let served = serve(listener, Arc::new(inspector), Limits::default(), stop);
-        (!stop.load(Ordering::SeqCst)).then_some(served)
+        let (served, is_stopped) = thread::scope(|scope| {
+            scope.spawn(|| inspector.paint(stop));
+            let served = serve(listener, Arc::clone(&inspector), Limits::default(), stop);
+            // The picture ends with the server.
+            (served, stop.swap(true, Ordering::SeqCst))
+        });
+        (!is_stopped).then_some(served)
     })?;
     served.map_err(|error| Failure::Machine(format!("the server cannot go on: {error}")))
 }

@@ -112,21 +112,21 @@ impl Fault {
     ];
 
     /// A short name, small letters with hyphens.
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         self.words().0
     }
 
     /// What is wrong, in a few words.
-    pub fn title(self) -> &'static str {
+    pub const fn title(self) -> &'static str {
         self.words().1
     }
 
     /// Why it happens, and what it should be, in a sentence or two.
-    pub fn why(self) -> &'static str {
+    pub const fn why(self) -> &'static str {
         self.words().2
     }
 
-    fn words(self) -> (&'static str, &'static str, &'static str) {
+    const fn words(self) -> (&'static str, &'static str, &'static str) {
         match self {
             Self::RowsFlipped => (
                 "rows-flipped",

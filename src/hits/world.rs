@@ -218,19 +218,35 @@ impl<R: Real> World<R> {
         sink.found
     }
 
+    /// The nearest hit of one object, as [`World::nearest`] has it.
+    #[cfg(feature = "lessons")]
+    pub(crate) fn nearest_on(&self, ray: &Ray<R>, id: ObjectId, departure: Departure<'_>) -> Option<Hit<R>> {
+        let mut sink = Nearest::new(Limit::None);
+        self.walk_object(ray, id, departure, &mut sink);
+        let nearest = sink.best?;
+        let mut tied = Vec::new();
+        if sink.tied {
+            let mut sink = TiedWith::new(nearest);
+            self.walk_object(ray, id, departure, &mut sink);
+            tied = sink.others;
+            tied.sort_by_key(|c| (c.object, c.primitive));
+        }
+        Some(Hit { nearest, tied })
+    }
+
     /// All hits of one object at `0 <= t`, in no particular order.
     pub(crate) fn all_hits(&self, ray: &Ray<R>, id: ObjectId) -> Vec<Candidate<R>> {
-        debug_assert_eq!(ray.check(), Ok(()), "{ray:?}");
         let mut sink = All(Vec::new());
-        let anywhere = Departure::default();
-        match self.geometry(id) {
-            Geometry::Mesh(mesh) => {
-                let slabs = SlabRay::new(ray);
-                walk::mesh(self, mesh, ray, &slabs, id, anywhere, &mut sink, &mut ());
-            }
-            _ => list::object(self, ray, id, anywhere, &mut sink, &mut ()),
-        }
+        self.walk_object(ray, id, Departure::default(), &mut sink);
         sink.0
+    }
+
+    fn walk_object<S: Sink<R>>(&self, ray: &Ray<R>, id: ObjectId, departure: Departure<'_>, sink: &mut S) {
+        debug_assert_eq!(ray.check(), Ok(()), "{ray:?}");
+        match self.geometry(id) {
+            Geometry::Mesh(mesh) => walk::mesh(self, mesh, ray, &SlabRay::new(ray), id, departure, sink, &mut ()),
+            _ => list::object(self, ray, id, departure, sink, &mut ()),
+        }
     }
 
     #[inline(always)]

@@ -49,23 +49,35 @@ impl Rest {
     async fn step(mut self) -> Result<(Bytes, Self), Refusal> {
         let scene = Arc::clone(&self.scene);
         let (show, first) = (self.show, self.next);
-        let rows = self.rows.min(scene.loaded.scene.image.height - first);
+        if let (Show::Picture, Some(ahead)) = (show, self.inspector.ahead_of(&scene))
+            && let Some(rows) = ahead.rows_from(first, &scene).await
+        {
+            return Ok(self.sent(&rows));
+        }
+        let count = self.rows.min(scene.loaded.scene.image.height - first);
         let work = move |stop: &AtomicBool| {
             // The time it takes, not the time it waits for its turn.
             let start = Instant::now();
-            (band(&scene, show, first, rows, stop), start.elapsed())
+            (rows(&scene, show, first, count, stop), start.elapsed())
         };
         let (bytes, took) = self.inspector.work().band(work).await?;
-        let fitting = f64::from(rows) * BAND.as_secs_f64() / took.as_secs_f64().max(1e-6);
-        self.rows = (fitting as u32).clamp(1, rows * 4).max(cores() as u32);
-        self.next += rows;
-        Ok((bytes.into(), self))
+        self.rows = fitting(count, took);
+        Ok(self.sent(&bytes))
+    }
+
+    /// Some rows as they are sent, and what is left after them.
+    fn sent(mut self, rows: &[u8]) -> (Bytes, Self) {
+        let count = (rows.len() / (self.scene.loaded.scene.image.width as usize * 4)) as u32;
+        let band = [&self.next.to_le_bytes(), &count.to_le_bytes(), rows].concat();
+        self.next += count;
+        (band.into(), self)
     }
 }
 
-/// Rows with their number in front.
-fn band(held: &Held, show: Show, first: u32, count: u32, stop: &AtomicBool) -> Vec<u8> {
-    [&first.to_le_bytes(), &count.to_le_bytes(), rows(held, show, first, count, stop).as_slice()].concat()
+/// How many rows to trace next, after so many took so long.
+pub(super) fn fitting(rows: u32, took: Duration) -> u32 {
+    let fitting = f64::from(rows) * BAND.as_secs_f64() / took.as_secs_f64().max(1e-6);
+    (fitting as u32).clamp(1, rows * 4).max(cores() as u32)
 }
 
 /// Four bytes for every pixel of some rows, traced on all cores; zeros for what was not done when `stop` was set.

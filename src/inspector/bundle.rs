@@ -1,4 +1,4 @@
-//! The page as one file: its style, its modules and its fonts inside `index.html`.
+//! The page as it is served, and as one file: its style, its modules and its fonts inside `index.html`.
 //!
 //! Modules become one script in the order of their imports, without the lines that import and the words that export. So a
 //! module imports by `import { a, b } from './x.js';` at the start of a line, exports by `export` in front of a declaration,
@@ -15,6 +15,14 @@ use super::assets::{self, ASSETS};
 const STYLE: &str = "<link rel=\"stylesheet\" href=\"/page/style.css\">";
 const SCRIPT: &str = "<script type=\"module\" src=\"/page/app.js\"></script>";
 const HEAD: &str = "<meta charset=\"utf-8\">";
+
+/// The page as it is served: what it will ask for is named at the top, so that all of it comes at once.
+pub(super) fn served() -> String {
+    let modules = ASSETS.iter().filter(|asset| asset.name.ends_with(".js"));
+    let named = modules.map(|asset| format!("<link rel=\"modulepreload\" href=\"/page/{}\">\n", asset.name));
+    let scene = "<link rel=\"preload\" href=\"/api/scene\" as=\"fetch\" crossorigin=\"anonymous\">\n";
+    text("index.html").replacen(SCRIPT, &format!("{scene}{}{SCRIPT}", named.collect::<String>()), 1)
+}
 
 /// The page with `data`, a JSON text, in a script called `recordings`.
 pub(super) fn page(data: &str) -> String {

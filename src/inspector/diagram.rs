@@ -6,7 +6,7 @@ use super::answer::Refusal;
 use crate::pictures::diagrams::{Chosen, Input, Kind, diagram};
 use crate::pictures::theme::Theme;
 use crate::scene::{Scene, Shape};
-use crate::tree::{NodePath, RayTree};
+use crate::tree::{NodePath, RayTree, TestRecord};
 
 /// Which diagram.
 #[derive(Clone, Debug)]
@@ -33,30 +33,35 @@ impl Wanted {
     }
 }
 
-/// The diagram of the test that a ray's hit was found by; of a ray that hits nothing the section.
+/// The diagram of the test that a ray's hit was found by; of a ray that hits nothing that of its last test, or the section.
 ///
 /// # Errors
 /// [`Refusal`] where there is no such node.
-pub(super) fn of_the_hit(
+pub(super) fn of_the_verdict(
     scene: &Scene,
     tree: &RayTree,
     node: NodePath,
     theme: &'static Theme,
 ) -> Result<Wanted, Refusal> {
     let ray = node.find(tree).map_err(|no| Refusal::Why(no.to_string()))?;
-    let hit = ray.hit.as_ref().and_then(|hit| Some((hit, &scene.objects.get(hit.shape as usize)?.shape)));
-    let (kind, chosen) = match hit {
-        None => (Kind::Section, None),
-        Some((hit, shape)) => {
-            let (kind, primitive) = match shape {
+    let decisive = match (&ray.hit, ray.tests.iter().flatten().last()) {
+        (Some(hit), _) => Some((hit.shape, hit.primitive)),
+        (None, Some(TestRecord::Shape(test))) if !test.values.0.is_empty() => Some((test.shape, test.primitive)),
+        (None, _) => None,
+    };
+    let shape = decisive.and_then(|(shape, _)| Some(&scene.objects.get(shape as usize)?.shape));
+    let (kind, chosen) = match (decisive, shape) {
+        (Some((shape, primitive)), Some(of)) => {
+            let (kind, primitive) = match of {
                 Shape::Plane { .. } => (Kind::Plane, None),
                 Shape::Sphere { .. } => (Kind::Sphere, None),
                 Shape::Box { .. } => (Kind::Box, None),
                 Shape::Triangle { .. } => (Kind::Triangle, None),
-                Shape::Mesh(_) => (Kind::Triangle, hit.primitive),
+                Shape::Mesh(_) => (Kind::Triangle, primitive),
             };
-            (kind, Some(Chosen { shape: hit.shape, primitive }))
+            (kind, Some(Chosen { shape, primitive }))
         }
+        _ => (Kind::Section, None),
     };
     Ok(Wanted { kind, node, chosen, theme })
 }

@@ -7,6 +7,7 @@
 //! What a client may ask for, and what it gets, is in `routes.rs`; whom the server talks to at all in `guard.rs`; how much
 //! work goes on at a time, and how it ends when the client goes, in `work.rs`; the data of an exported page in `export.rs`.
 
+mod ahead;
 mod answer;
 mod assets;
 mod bands;

@@ -10,7 +10,7 @@
 //! | `GET /api/scenes/ID/overlay?kind=` | bands of one f32 a pixel: `rays`, `depth`, `tests`, `stage`, `time` |
 //! | `GET /api/scenes/ID/recording?x=&y=` | the recording of a pixel |
 //! | `GET /api/scenes/ID/diagram?x=&y=&kind=&node=` | SVG, or 422 with `why`; also `shape`, `primitive`, `theme` |
-//! | the same with `kind=hit` | that of the shape that is hit; the header `x-raytree-diagram` says which |
+//! | the same with `kind=verdict` | that of the test that decides; the header `x-raytree-diagram` says which |
 //! | `GET /api/scenes/ID/difference?x=&y=&from=ID` | where the pixel's tree parts from that in another scene |
 //! | `GET /api/scenes/ID/export`, `?pixel=x,y` | the page as one file with some pixels, else with those that have names |
 
@@ -29,8 +29,9 @@ use tokio::sync::Semaphore;
 use super::answer::{Answer, Refusal, bytes, json};
 use super::assets;
 use super::bands::Bands;
+use super::bundle;
 use super::description::Description;
-use super::diagram::{Wanted, of_the_hit, svg};
+use super::diagram::{Wanted, of_the_verdict, svg};
 use super::export::{self, Kept};
 use super::geometry::Geometry;
 use super::query::Query;
@@ -61,7 +62,7 @@ pub(super) struct Site {
 /// All addresses.
 pub(super) fn routes(inspector: Arc<Inspector>, body_timeout: Duration) -> Router {
     Router::new()
-        .route("/", get(async || file("index.html")))
+        .route("/", get(async || bytes(bundle::served(), "text/html; charset=utf-8")))
         .route("/page/{name}", get(async |Path(name): Path<String>| file(&name)))
         .route("/api/scene", get(first))
         .route("/api/scenes", post(add))
@@ -205,9 +206,9 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
     let query = Query::parse(query.as_deref(), &["x", "y", "kind", "node", "shape", "primitive", "theme"])?;
     let pixel = query.pixel(held.loaded.scene.image)?;
     let kind = match query.one("kind")?.unwrap_or_default() {
-        "hit" => None,
+        "verdict" => None,
         kind => Some(kind.parse().map_err(|_| {
-            Refusal::bad("there is no such kind of diagram", "`raytree diagram --help` lists them; also `hit`")
+            Refusal::bad("there is no such kind of diagram", "`raytree diagram --help` lists them; also `verdict`")
         })?),
     };
     let node = query.one("node")?.unwrap_or("root").parse();
@@ -227,7 +228,7 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
         let tree = recording::tree(&inspector, &held, pixel, stop)?;
         let scene = &held.loaded.scene;
         let Some(kind) = kind else {
-            let wanted = of_the_hit(scene, &tree.tree, node, theme)?;
+            let wanted = of_the_verdict(scene, &tree.tree, node, theme)?;
             let about = wanted.about();
             let mut response = bytes(svg(scene, &tree.tree, wanted)?, "image/svg+xml");
             response.headers_mut().extend(HeaderValue::try_from(about).ok().map(|about| (ABOUT, about)));
@@ -238,7 +239,7 @@ async fn diagram(State(site): State<Site>, Path(id): Path<String>, RawQuery(quer
     site.inspector.work().quick(work).await?
 }
 
-/// What a diagram of the kind `hit` is of.
+/// What a diagram of the kind `verdict` is of.
 const ABOUT: HeaderName = HeaderName::from_static("x-raytree-diagram");
 
 async fn difference(State(site): State<Site>, Path(id): Path<String>, RawQuery(query): RawQuery) -> Answer {

@@ -1,10 +1,12 @@
 //! The scenes that a page works with: the one that was given, and those it made of it.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use sha2::{Digest, Sha256};
 
+use super::ahead::Ahead;
 use super::tracing::AnyWorld;
 use super::work::Work;
 use crate::hits::Acceleration;
@@ -54,6 +56,7 @@ pub struct Inspector {
     held: Mutex<Vec<Arc<Held>>>,
     trees: Mutex<Vec<Arc<HeldTree>>>,
     work: Work,
+    ahead: Ahead,
 }
 
 /// A scene ready to be traced.
@@ -106,7 +109,19 @@ impl Inspector {
             held: Mutex::default(),
             trees: Mutex::default(),
             work: Work::default(),
+            ahead: Ahead::default(),
         })
+    }
+
+    /// Traces the picture of the scene that was given, until it is done or `stop` is set; pages that ask for it meanwhile, or
+    /// later, get what is there.
+    pub fn paint(&self, stop: &AtomicBool) {
+        self.ahead.paint(&self.first, stop);
+    }
+
+    /// What there is of a scene's picture, of the one that was given.
+    pub(super) fn ahead_of(&self, held: &Arc<Held>) -> Option<&Ahead> {
+        Arc::ptr_eq(held, &self.first).then_some(&self.ahead)
     }
 
     /// How many pieces of work go on for clients.

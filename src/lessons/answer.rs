@@ -3,6 +3,8 @@
 use glam::DVec3;
 
 use super::words::{full, shown};
+use crate::tree::RayTree;
+use crate::tree::diff::{self, Tolerances, diff};
 
 /// Numbers count as equal up to this, or up to this share of the expected one where that is larger than 1.
 pub const TOLERANCE: f64 = 1e-9;
@@ -14,6 +16,8 @@ pub enum Answer {
     Nothing(&'static str),
     /// Values with their names.
     Values(Vec<(&'static str, Value)>),
+    /// A ray tree; trees are compared as `raytree diff` does it.
+    Tree(Box<RayTree>),
 }
 
 /// A value.
@@ -57,8 +61,9 @@ impl Value {
 
     /// Whether this is `expected` within [`TOLERANCE`]. NaN agrees with NaN, an infinity with itself.
     fn agrees(self, expected: Value) -> bool {
-        let near =
-            |x: f64, y: f64, size: f64| x == y || (x.is_nan() && y.is_nan()) || (x - y).abs() <= TOLERANCE * size;
+        let near = |x: f64, y: f64, size: f64| {
+            x == y || (x.is_nan() && y.is_nan()) || (size.is_finite() && (x - y).abs() <= TOLERANCE * size)
+        };
         match (self, expected) {
             (Value::Number(x), Value::Number(y)) => near(x, y, y.abs().max(1.0)),
             (Value::Vector(v), Value::Vector(w)) => {
@@ -100,7 +105,7 @@ impl Answer {
     /// The answer and one value more.
     pub fn and(self, name: &'static str, value: impl Into<Value>) -> Self {
         match self {
-            Answer::Nothing(_) => Answer::of(name, value),
+            Answer::Nothing(_) | Answer::Tree(_) => Answer::of(name, value),
             Answer::Values(mut values) => {
                 values.push((name, value.into()));
                 Answer::Values(values)
@@ -120,6 +125,7 @@ impl Answer {
             (Answer::Values(own), Answer::Values(other)) => {
                 own.len() == other.len() && own.iter().zip(other).all(|((a, x), (b, y))| a == b && x.agrees(*y))
             }
+            (Answer::Tree(own), Answer::Tree(other)) => diff(other, own, &Tolerances::default()).is_same(),
             _ => false,
         }
     }
@@ -127,7 +133,7 @@ impl Answer {
     /// The value with a name.
     fn value(&self, name: &str) -> Option<Value> {
         match self {
-            Answer::Nothing(_) => None,
+            Answer::Nothing(_) | Answer::Tree(_) => None,
             Answer::Values(values) => values.iter().find(|(own, _)| *own == name).map(|(_, value)| *value),
         }
     }
@@ -171,14 +177,57 @@ impl Answer {
                 let told = values.iter().map(|(name, value)| format!("{name} = {}", value.told(number)));
                 told.collect::<Vec<_>>().join(", ")
             }
+            Answer::Tree(tree) => color(tree, number),
         }
     }
 
     /// Both answers in words: with six digits, or with all where six would read the same.
     pub fn told_beside(&self, other: &Answer) -> [String; 2] {
+        if let (Answer::Tree(right), Answer::Tree(own)) = (self, other) {
+            return parting(right, own);
+        }
         let short = [self.told(shown), other.told(shown)];
         if short[0] == short[1] && self != other { [self.told(full), other.told(full)] } else { short }
     }
+}
+
+/// The colour of a tree.
+fn color(tree: &RayTree, number: fn(f64) -> String) -> String {
+    format!("colour ({})", tree.color.map(number).join(", "))
+}
+
+/// The first value in which two trees part, as each of them has it, and both colours.
+fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
+    let difference = diff(right, own, &Tolerances::default());
+    let Some(first) = difference.first() else { return [right, own].map(|tree| color(tree, shown)) };
+    // An object is told by its name, where it has one.
+    let is_named = |other: &&diff::Divergence| other.path == first.path && other.field == diff::Field::Object;
+    let named = difference.divergences.iter().find(is_named).filter(|_| first.field == diff::Field::Shape);
+    let first = named.unwrap_or(first);
+    let word = |value: &diff::Value| match value {
+        diff::Value::Number(x) => shown(*x),
+        diff::Value::Numbers(v) => format!("({})", v.iter().map(|x| shown(*x)).collect::<Vec<_>>().join(", ")),
+        diff::Value::Place(place) => place.to_string(),
+        diff::Value::Word(word) => word.clone(),
+        diff::Value::Flag(yes) => yes.to_string(),
+    };
+    let path = shortened(&first.path.to_string());
+    let of = first.light.as_ref().map_or(String::new(), |light| format!(" of {light}"));
+    let told = |tree: &RayTree, value: &Option<diff::Value>| {
+        let value = value.as_ref().map_or("not there".to_owned(), word);
+        format!("{path} {}{of}: {value}; {}", first.field, color(tree, shown))
+    };
+    [told(right, &first.a), told(own, &first.b)]
+}
+
+/// A path with what is repeated in it counted: `root.reflected x10`.
+fn shortened(path: &str) -> String {
+    let parts: Vec<&str> = path.split('.').collect();
+    let told = parts.chunk_by(|a, b| a == b).map(|same| match same.len() {
+        count if count > 2 => format!("{} x{count}", same[0]),
+        _ => same.join("."),
+    });
+    told.collect::<Vec<_>>().join(".")
 }
 
 impl std::fmt::Display for Answer {

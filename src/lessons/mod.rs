@@ -13,6 +13,7 @@ mod choices;
 mod hierarchy;
 mod mesh_view;
 pub mod pictures;
+mod program;
 mod report;
 mod task;
 mod words;
@@ -21,6 +22,7 @@ pub use answer::{Answer, TOLERANCE, Value};
 pub use choices::{Choice, Reading, depths_and_weights};
 pub use hierarchy::{Build, Builder, Hierarchy, Inside, Item, Nearest, Node, Walk, Walked, hit};
 pub use mesh_view::{MeshView, Rendered};
+pub use program::{Camera, DirectLight, Hit, Material, Object, Pixel, Procedures, Program, ShadowRay, pixels};
 pub use report::{Broken, Failure, FailureKind, Lesson, Mistake, Outcome, Report, StageReport};
 pub use task::{Case, Checked, Fault, Picture, Stage, Task, random_cases};
 pub use words::shown;
@@ -38,6 +40,8 @@ pub type Aabb = crate::kernels::Aabb<f64>;
 /// A sphere: `center` and `radius`.
 pub type Sphere = crate::kernels::Sphere<f64>;
 pub use crate::accuracy::random::Random;
+pub use crate::faults::Fault as ClassicFault;
+pub use crate::scene::{Light, LightKind, Rgb};
 
 /// The part of a ray's line that lies in something, as the values of t at its two ends.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,10 @@
 use super::answer::Answer;
 use super::attempt::{Panicked, attempt};
 use super::pictures::Shown;
+use super::program::Pixel;
 use super::report::{Broken, Failure, FailureKind, Mistake};
 use crate::accuracy::random::Random;
+use crate::faults::Fault as ClassicFault;
 use crate::pictures::drawing::Drawing;
 
 /// An input of a function, with a name to find it by.
@@ -41,6 +43,13 @@ pub struct Fault<C> {
     pub why: &'static str,
     /// What a function with this mistake answers.
     pub answer: fn(&C) -> Answer,
+}
+
+impl Fault<Pixel> {
+    /// A classic fault, planted in a textbook tracer.
+    pub const fn classic(fault: ClassicFault, answer: fn(&Pixel) -> Answer) -> Self {
+        Fault { id: fault.name(), name: fault.title(), why: fault.why(), answer }
+    }
 }
 
 /// A function that draws a case. The last argument asks the student's function for more.

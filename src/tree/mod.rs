@@ -19,6 +19,8 @@ use serde::{Deserialize, Serialize};
 pub use costs::{Cost, Costs, Deepest};
 pub use ledger::{Entry, Ledger};
 pub use path::{Branch, NoSuchNode, NodePath};
+#[cfg(feature = "lessons")]
+pub(crate) use record::hit_record;
 pub use record::{Keep, Origin, record_pixel, record_ray};
 pub use steps::{BoundsRecord, ShapeRecord, TestRecord, Value, Verdict};
 pub use text::Show;

@@ -141,7 +141,7 @@ fn node<R: Real, P: Probe>(visit: Visit<'_, R, P>, children: Children<Box<RayNod
         direction: visit.ray.direction.to_f64(),
         t_max: visit.t_max,
         outcome: visit.outcome,
-        hit: visit.surface.map(|surface| hit(visit.tracer, surface)),
+        hit: visit.surface.map(|surface| hit_record(visit.tracer, surface)),
         certificate,
         refraction_certificate,
         local,
@@ -166,7 +166,8 @@ fn refraction_certificate<R: Real, P: Probe>(visit: &Visit<'_, R, P>) -> Option<
         .then(|| certify_total_reflection::<R>(visit.ray.direction, surface.shading_normal, incident, transmitted))
 }
 
-fn hit<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
+/// What a tree tells of a hit.
+pub(crate) fn hit_record<R: Real>(tracer: &Tracer<'_, R>, surface: &Surface<R>) -> HitRecord {
     let nearest = &surface.hit.nearest;
     HitRecord {
         // The number that the point was computed with, unless it is too large for f32.

@@ -81,7 +81,9 @@ export async function openPage(browser, address, options = {}) {
     await page.addInitScript(() => {
         window.shown = [];
         document.addEventListener('raytree-shown', (event) => window.shown.push(event.detail));
-        document.addEventListener('raytree-rendered', () => (window.rendered = true));
+        // Milliseconds from opening the address to the frame that shows the whole picture.
+        const isRendered = () => (window.rendered = performance.now());
+        document.addEventListener('raytree-rendered', () => requestAnimationFrame(() => setTimeout(isRendered)));
     });
     await page.goto(address);
     await page.waitForFunction(() => window.shown.length > 0);

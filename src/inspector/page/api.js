@@ -84,7 +84,7 @@ class ServerApi {
         return (await answered(await fetch(`/api/scenes/${id}/diagram?${query({ x, y, ...about })}`, { signal }))).text();
     }
 
-    /** A diagram and what it is of: for the kind `hit` that of the shape that the ray hits. */
+    /** A diagram and what it is of: for the kind `verdict` that of the test that decides. */
     async diagramAndKind(id, x, y, wish) {
         const response = await answered(await fetch(`/api/scenes/${id}/diagram?${query({ x, y, ...wish })}`));
         const shown = new URLSearchParams(response.headers.get('x-raytree-diagram') ?? '');

@@ -4,7 +4,7 @@ import { openApi } from './api.js';
 import { CodePane } from './code-pane.js';
 import { Controls, EVENTS } from './controls.js';
 import { DiagramPane } from './diagram-pane.js';
-import { byId, make, makeSvg, setText, whenQuiet } from './dom.js';
+import { byId, make, makeSvg, pause, setText, whenQuiet } from './dom.js';
 import { wireHelp } from './help.js';
 import { NumbersPane } from './numbers-pane.js';
 import { Player } from './player.js';
@@ -14,6 +14,9 @@ import { TestsPane } from './tests-pane.js';
 import { TreePane } from './tree-pane.js';
 import { View3d } from './view3d.js';
 import { WhatIf } from './whatif.js';
+
+/** Milliseconds that a recording waits for the diagram drawn beside it. */
+const TOGETHER = 40;
 
 const SUN =
     'M8 1v2M8 13v2M1 8h2M13 8h2M3 3l1.4 1.4M11.6 11.6 13 13M13 3l-1.4 1.4M4.4 11.6 3 13' + 'M11 8a3 3 0 1 1-6 0 3 3 0 0 1 6 0z';
@@ -169,7 +172,7 @@ class Inspector {
     /** Chooses a pixel: one recording is under way at a time, and only the newest wish waits. */
     async choosePixel(x, y, { isPassing, step, node, keepsPlace } = {}) {
         this.wish = { x, y, isPassing, step, node, keepsPlace };
-        this.render.choose(x, y);
+        this.render.choose(x, y, !this.isFetching);
         if (this.isFetching) return;
         this.isFetching = true;
         try {
@@ -178,6 +181,8 @@ class Inspector {
                 this.wish = undefined;
                 if (wish.step === undefined && wish.node === undefined && !wish.keepsPlace) this.guessDiagram(wish);
                 const recording = await this.withScene((scene) => this.api.recording(scene.id, wish.x, wish.y));
+                // All panes change in one frame, unless the diagram takes much longer than the recording.
+                await Promise.race([this.diagram.guessed?.done, pause(TOGETHER)]);
                 await this.showRecording(recording, wish);
             }
         } catch (error) {

@@ -56,6 +56,16 @@ export function whenQuiet(milliseconds, run) {
     };
 }
 
+/** Resolves after so many milliseconds. */
+export function pause(milliseconds) {
+    return new Promise((done) => setTimeout(done, milliseconds));
+}
+
+/** Runs after the next frame is on the screen. */
+export function afterFrame(run) {
+    requestAnimationFrame(() => setTimeout(run));
+}
+
 /** Tabs by the pattern of the ARIA practices: arrows move, one tab stop. `chosen` hears the id of the panel. */
 export function wireTabs(list, chosen) {
     const tabs = [...list.querySelectorAll('[role=tab]')];
@@ -104,6 +114,7 @@ export class LongList {
         host.addEventListener(
             'scroll',
             () => {
+                if (this.scrolling) return;
                 this.scrollTop = host.scrollTop;
                 this.place(false);
             },
@@ -148,11 +159,14 @@ export class LongList {
         this.place(false);
     }
 
-    /** Scrolls; asks for nothing. */
+    /** Scrolls, with the next frame: a page that is scrolled is laid out at once. */
     scrollTo(top) {
         if (top === this.scrollTop) return;
         this.scrollTop = top;
-        this.host.scrollTop = top;
+        this.scrolling ??= requestAnimationFrame(() => {
+            this.scrolling = undefined;
+            this.host.scrollTop = this.scrollTop;
+        });
     }
 
     place(isAnew) {

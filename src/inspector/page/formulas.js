@@ -39,6 +39,10 @@ function operator(sign, about = {}) {
 }
 
 function bracketed(inside, open = '(', close = ')') {
+    if (inside.localName === 'mn') {
+        inside.textContent = open + inside.textContent + close;
+        return inside;
+    }
     return makeMath('mrow', {}, operator(open, { stretchy: 'true' }), inside, operator(close, { stretchy: 'true' }));
 }
 
@@ -67,26 +71,23 @@ export function symbol(name, isVector = false) {
     return letter(name, isVector);
 }
 
+/** A power of ten in the text of a number. */
+const POWER = /^(\u2212?)([\d.]+)e(\u2212?\d+)$/;
+
+/** A number: one element where it can be one, since laying out formulas takes longer than all else on the page. */
 function numberElement(x, write) {
     const text = write(x);
-    const power = /^(\u2212?)([\d.]+)e(\u2212?\d+)$/.exec(text);
-    if (power) {
-        const row = makeMath('mrow', {});
-        if (power[1]) row.append(operator('\u2212', { form: 'prefix' }));
-        const ten = makeMath('msup', {}, makeMath('mn', { text: '10' }), makeMath('mn', { text: power[3] }));
-        row.append(makeMath('mn', { text: power[2] }), operator('\u00b7'), ten);
-        return row;
-    }
-    if (text.startsWith('\u2212')) {
-        const rest = makeMath('mn', { text: text.slice(1) });
-        return makeMath('mrow', {}, operator('\u2212', { form: 'prefix' }), rest);
-    }
-    return makeMath('mn', { text });
+    const [, sign, mantissa, exponent] = POWER.exec(text) ?? [];
+    if (mantissa === undefined) return makeMath('mn', { text });
+    const ten = makeMath('msup', {}, makeMath('mn', { text: '10' }), makeMath('mn', { text: exponent }));
+    return makeMath('mrow', {}, makeMath('mn', { text: sign + mantissa }), operator('\u00b7'), ten);
 }
 
 /** A number, or a vector with commas between its components. */
 export function valueElement(value, write) {
     if (!Array.isArray(value)) return numberElement(value, write);
+    const texts = value.map(write);
+    if (!texts.some((text) => POWER.test(text))) return makeMath('mn', { text: `(${texts.join(',\u2005')})` });
     const row = makeMath('mrow', {}, operator('(', { stretchy: 'false' }));
     value.forEach((x, i) => {
         if (i) row.append(operator(',', { separator: 'true' }));

@@ -1,14 +1,19 @@
 // The arithmetic of the current step: the formula in symbols, with this ray's numbers, each value, and the verdict.
 
-import { byId, keepTop, make } from './dom.js';
+import { afterFrame, byId, keepTop, make } from './dom.js';
 import { drawInput, drawLine, namesIn } from './formulas.js';
 import { testName } from './tests-pane.js';
 
-/** The pane. */
+/** The least height of a line, in pixels. */
+const LINE = 26;
+
+/** The pane. What lies below its lower edge is made after the frame that shows the rest: formulas are slow to lay out. */
 export class NumbersPane {
     constructor() {
         this.host = byId('arithmetic');
         this.toTop = keepTop(this.host);
+        this.inSight = 1;
+        new ResizeObserver(([entry]) => (this.inSight = Math.ceil(entry.contentRect.height / LINE) + 1)).observe(this.host);
         this.allDigits = byId('digits');
         this.allDigits.addEventListener('change', () => this.show(this.step));
     }
@@ -43,13 +48,23 @@ export class NumbersPane {
         }
         parts.push(head);
         const form = arithmetic && this.player.forms[arithmetic.form];
-        if (form) parts.push(...this.formula(form, this.player.valuesAt(step), arithmetic));
-        else if (!verdict) parts.push(make('p', { class: 'form-title', text: 'Nothing is computed in this step.' }));
+        const formula = form ? this.formula(form, this.player.valuesAt(step), arithmetic) : [].values();
+        if (!form && !verdict) parts.push(make('p', { class: 'form-title', text: 'Nothing is computed in this step.' }));
+        while (parts.length < this.inSight) {
+            const { value, done } = formula.next();
+            if (done) break;
+            parts.push(value);
+        }
         this.host.replaceChildren(...parts);
         this.toTop();
+        this.rest = formula;
+        afterFrame(() => {
+            if (this.rest === formula) this.host.append(...formula);
+        });
     }
 
-    formula(form, values, arithmetic) {
+    /** The parts of a formula, each made when it is asked for. */
+    *formula(form, values, arithmetic) {
         const options = { allDigits: this.allDigits.checked, single: form.precision === 'f32' };
         const computed = new Set(form.lines.map((line) => line.name));
         const needed = new Set();
@@ -58,18 +73,17 @@ export class NumbersPane {
         for (const name of Object.keys(values)) {
             if (!computed.has(name) && needed.has(name)) inputs.append(drawInput(name, values[name], options));
         }
-        const parts = [make('p', { class: 'form-title', text: form.title })];
-        if (inputs.childElementCount) parts.push(inputs);
+        yield make('p', { class: 'form-title', text: form.title });
+        if (inputs.childElementCount) yield inputs;
         for (const line of form.lines) {
             const isOpen = values[line.name] === undefined;
             const about = {
                 class: `formula-line${isOpen ? ' open' : ''}`,
                 title: isOpen ? 'not computed: it was decided before' : undefined,
             };
-            parts.push(make('div', about, ...drawLine(line, values, options)));
+            yield make('div', about, ...drawLine(line, values, options));
         }
-        if (arithmetic.note) parts.push(make('p', { class: 'source', text: arithmetic.note }));
-        if (form.source) parts.push(make('p', { class: 'source', text: form.source }));
-        return parts;
+        if (arithmetic.note) yield make('p', { class: 'source', text: arithmetic.note });
+        if (form.source) yield make('p', { class: 'source', text: form.source });
     }
 }

@@ -17,10 +17,16 @@ export const STAGES = [
     ['expansion', 'by expansions'],
 ];
 
+/** Custom properties by their names: light and dark. To ask for one would have the page styled at once. */
+const COLORS = new Map();
+
 /** What a custom property says in the theme that shows. Each is written `light-dark(LIGHT, DARK)`. */
 export function cssColor(name) {
-    const both = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`);
-    return both.match(/#\w+/g)[document.documentElement.dataset.theme === 'dark' ? 1 : 0];
+    if (!COLORS.has(name)) {
+        const both = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`);
+        COLORS.set(name, both.match(/#\w+/g));
+    }
+    return COLORS.get(name)[document.documentElement.dataset.theme === 'dark' ? 1 : 0];
 }
 
 /** `#rrggbb` as numbers from 0 to 1. */

@@ -7,6 +7,8 @@ import { cssOfLinear } from './palette.js';
 
 /** Pixels across the magnifier. */
 const ACROSS = 11;
+/** Milliseconds that a chosen pixel waits for what there is to show of it. */
+const SOON = 30;
 
 /** The pane. `onPixel(x, y, isPassing, isArrow)` hears every pixel that is chosen; `onOverlay(kind)` every overlay. */
 export class RenderPane {
@@ -73,14 +75,22 @@ export class RenderPane {
         this.frame = requestAnimationFrame(() => this.magnify());
     }
 
-    /** Marks the chosen pixel. */
-    choose(x, y) {
+    /** Marks the chosen pixel: at once, or with what there is to show of it if that comes soon, in one frame. */
+    choose(x, y, waits) {
         this.pixel = [x, y];
+        clearTimeout(this.marking);
+        if (waits) this.marking = setTimeout(() => this.mark(), SOON);
+        else this.mark();
+    }
+
+    mark() {
+        const [x, y] = this.pixel;
         const { width, height } = this.scene.image;
         this.cross.style.left = `${((x + 0.5) / width) * 100}%`;
         this.cross.style.top = `${((y + 0.5) / height) * 100}%`;
         const named = this.scene.pixels.find((pixel) => pixel.x === x && pixel.y === y);
-        this.names.value = named ? `${x},${y}` : '';
+        const value = named ? `${x},${y}` : '';
+        if (this.names.value !== value) this.names.value = value;
         setText(this.title, named ? `${x},${y} \u201c${named.name}\u201d` : `${x},${y}`);
         this.magnify();
     }

@@ -1,9 +1,9 @@
-// What if: knobs and the scene's text, both of which change one text; undo; and the difference that a change makes.
+// What if: knobs and the scene's text, both of which change one text; and undo.
 
-import { byId, make, setText, whenQuiet, wireTabs } from './dom.js';
-import { brief, colorText, counted } from './format.js';
+import { Difference } from './difference.js';
+import { byId, make, setText, wireTabs } from './dom.js';
 import { partAt, readSpans, withValue } from './json-edit.js';
-import { cssOfLinear } from './palette.js';
+import { SceneEditor } from './scene-editor.js';
 import { boundsOf, vec } from './solids.js';
 
 /** Where a shape stands: paths of vectors that move together, or of one number. */
@@ -23,7 +23,6 @@ function placesOf(shape) {
 export class WhatIf {
     constructor({ onChange, onNode, canTrace }) {
         this.onChange = onChange;
-        this.onNode = onNode;
         this.canTrace = canTrace;
         this.tab = wireTabs(byId('numbers-tabs'), (tab) => {
             byId('digits-label').hidden = tab.id !== 'tab-arithmetic';
@@ -32,6 +31,7 @@ export class WhatIf {
         this.makeBars();
         this.makeKnobs();
         this.makeEditor();
+        this.difference = new Difference({ summary: this.summary, outcome: this.outcome, onNode });
         if (!canTrace) byId('tab-whatif').hidden = true;
     }
 
@@ -50,8 +50,8 @@ export class WhatIf {
     setScene(scene) {
         this.scene = scene;
         this.spans = readSpans(scene.text);
-        if (this.area.value !== scene.text && this.now.text === scene.text) this.area.value = scene.text;
-        this.showProblem();
+        if (this.now.text === scene.text) this.editor.text = scene.text;
+        this.editor.showProblem();
         this.fillKnobs();
     }
 
@@ -102,7 +102,7 @@ export class WhatIf {
         if (to < 0 || to >= this.history.length) return;
         this.at = to;
         this.lastKind = undefined;
-        this.area.value = this.now.text;
+        this.editor.text = this.now.text;
         this.showHistory();
         this.trace();
     }
@@ -117,7 +117,7 @@ export class WhatIf {
         this.history.push(next);
         if (this.history.length > 200) this.history.splice(1, 1);
         this.at = this.history.length - 1;
-        if (this.area.value !== next.text) this.area.value = next.text;
+        this.editor.text = next.text;
         this.showHistory();
         this.trace();
     }
@@ -132,7 +132,7 @@ export class WhatIf {
         do {
             this.isWaiting = false;
             const problem = await this.onChange(this.now);
-            if (!this.isWaiting) this.showProblem(problem);
+            if (!this.isWaiting) this.editor.showProblem(problem);
         } while (this.isWaiting);
         this.isTracing = false;
     }
@@ -357,156 +357,17 @@ export class WhatIf {
         if (document.activeElement !== number) number.value = Number(value.toPrecision(8));
     }
 
-    // What a change does
-
     /** Shows the difference to the scene as it was given; `difference` is absent where nothing is changed. */
     showDifference(difference, player) {
-        if (!this.canTrace) return;
-        if (!difference) {
-            this.summary.replaceChildren();
-            const words = 'Change something: the pixel is traced anew, and how the two trees differ shows here.';
-            this.outcome.replaceChildren(make('p', { class: 'quiet', text: words }));
-            return;
-        }
-        const {
-            colors: [before, after],
-            divergences,
-        } = difference;
-        const patch = (color) => {
-            const element = make('span', { class: 'patch', title: colorText(color) });
-            element.style.background = cssOfLinear(color);
-            return element;
-        };
-        const words = divergences.length === 0 ? 'the same tree' : counted(divergences.length, 'difference');
-        this.summary.replaceChildren(
-            patch(before),
-            make('span', { text: '\u2192', 'aria-label': 'becomes' }),
-            patch(after),
-            make('span', { text: words }),
-        );
-        const most = Math.max(...after.map((c, k) => Math.abs(c - before[k])));
-        const color =
-            most === 0
-                ? 'The colour stays the same.'
-                : `The colour changes by ${brief(most, 3)} at most, to ${colorText(after)}.`;
-        const listed = (all) => {
-            const list = make('ul', {}, ...all.slice(0, 60).map((one) => this.divergence(one, player)));
-            if (all.length > 60) list.append(make('li', { class: 'quiet', text: `and ${all.length - 60} more` }));
-            return list;
-        };
-        const followers = divergences.filter((one) => one.consequence);
-        this.outcome.replaceChildren(make('p', { text: color }), listed(divergences.filter((one) => !one.consequence)));
-        if (!followers.length) return;
-        const isOpen = this.showsFollowers;
-        const rest = make(
-            'details',
-            { open: isOpen },
-            make('summary', { text: `${followers.length} more that follow from these` }),
-            listed(followers),
-        );
-        rest.addEventListener('toggle', () => (this.showsFollowers = rest.open));
-        this.outcome.append(rest);
+        if (this.canTrace) this.difference.show(difference, player);
     }
-
-    divergence({ path, kind, field, light, a, b }, player) {
-        const index = player.byPath.get(path);
-        const go = make('button', {
-            type: 'button',
-            text: path,
-            title: `${kind} ray`,
-            on: { click: () => this.onNode(index) },
-        });
-        go.disabled = index === undefined;
-        const show = (value) => {
-            if (value === undefined) return 'nothing';
-            if (Array.isArray(value)) return `(${value.map((x) => brief(x, 4)).join(', ')})`;
-            return typeof value === 'number' ? brief(value) : String(value);
-        };
-        const words = ` ${field.replaceAll('_', ' ')}${light ? ` of ${light}` : ''}: ${show(a)} \u2192 ${show(b)}`;
-        return make('li', {}, go, words);
-    }
-
-    // The text
 
     makeEditor() {
-        this.area = make('textarea', {
-            spellcheck: 'false',
-            autocapitalize: 'off',
-            autocomplete: 'off',
-            wrap: 'off',
-            'aria-label': 'The text of the scene',
-            'aria-describedby': 'scene-problem',
-            id: 'scene-area',
-            readonly: !this.canTrace,
+        this.editor = new SceneEditor({
+            host: byId('scene-text'),
+            isReadOnly: !this.canTrace,
+            onText: (text) => this.change({ ...this.now, text }, 'text'),
+            onKey: (event) => this.pressed(event),
         });
-        this.shadow = make('pre', { 'aria-hidden': 'true' });
-        this.problem = make('div', { class: 'problem', id: 'scene-problem', role: 'status' });
-        byId('scene-text').append(make('div', { class: 'editor' }, this.shadow, this.area), this.problem);
-        const typed = whenQuiet(180, () => this.change({ ...this.now, text: this.area.value }, 'text'));
-        this.area.addEventListener('input', () => {
-            this.underline();
-            typed();
-        });
-        this.area.addEventListener('scroll', () => this.follow(), { passive: true });
-        this.area.addEventListener('keydown', (event) => {
-            // Tab leaves the editor, as everywhere; Escape has nothing to close.
-            if (event.key !== 'Escape') event.stopPropagation();
-            this.pressed(event);
-        });
-    }
-
-    follow() {
-        this.shadow.scrollTop = this.area.scrollTop;
-        this.shadow.scrollLeft = this.area.scrollLeft;
-    }
-
-    /** Underlines a problem in its place; none: nothing. */
-    underline(problem) {
-        this.shadow.replaceChildren();
-        if (problem?.line === undefined) return;
-        const text = this.area.value;
-        const lines = text.split('\n');
-        let from = 0;
-        for (let i = 0; i < problem.line - 1 && i < lines.length; i += 1) from += lines[i].length + 1;
-        // Columns count characters, a string's length counts UTF-16.
-        const line = [...(lines[problem.line - 1] ?? '')];
-        const column = Math.max(0, (problem.column ?? 1) - 1);
-        from += line.slice(0, column).join('').length;
-        let to = Math.min(text.length, from + Math.max(1, problem.length ?? 1));
-        if (text.slice(from, to).trim() === '' && from > 0) {
-            from -= 1;
-            to = from + 1;
-        }
-        this.problemAt = from;
-        this.shadow.append(text.slice(0, from), make('mark', { text: text.slice(from, to) || ' ' }), text.slice(to) + '\n');
-        this.follow();
-    }
-
-    showProblem(problem) {
-        const isBad = problem !== undefined;
-        this.problem.classList.toggle('bad', isBad);
-        this.area.setAttribute('aria-invalid', String(isBad));
-        byId('tab-text').classList.toggle('has-problem', isBad);
-        this.underline(problem);
-        if (!isBad) {
-            const words = this.canTrace ? 'No problem found.' : 'Changes need raytree inspect, which traces anew.';
-            this.problem.replaceChildren(make('span', { class: 'count', text: words }));
-            return;
-        }
-        const place = problem.line === undefined ? '' : `line ${problem.line}, column ${problem.column}: `;
-        const go = make('button', { type: 'button', text: 'Show', on: { click: () => this.goToProblem() } });
-        this.problem.replaceChildren(
-            make('strong', { text: `${place}${problem.message}` }),
-            make('div', { text: problem.help ?? '' }),
-        );
-        if (problem.line !== undefined) this.problem.firstChild.after(' ', go);
-    }
-
-    goToProblem() {
-        this.area.focus();
-        this.area.setSelectionRange(this.problemAt, this.problemAt);
-        const line = this.area.value.slice(0, this.problemAt).split('\n').length;
-        this.area.scrollTop = Math.max(0, (line - 4) * 18);
-        this.follow();
     }
 }

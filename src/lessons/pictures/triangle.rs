@@ -77,7 +77,7 @@ pub fn triangle_hit(ray: &Ray, triangle: &Triangle, what: &Shown) -> Drawing {
     let values = triangle_lecture_values(ray, triangle);
     let is_sound = values.t.is_finite() && values.t.abs() < 1e6;
     in_its_plane(triangle, is_sound.then_some(values.p), what, |answer| match answer {
-        Answer::Nothing(_) => None,
+        Answer::Nothing(_) | Answer::Tree(_) => None,
         Answer::Values(_) => Some(["a", "b", "c"].map(|letter| answer.number(letter))),
     })
 }

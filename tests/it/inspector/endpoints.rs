@@ -1,6 +1,6 @@
 //! Every answer against what the library gives.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -12,7 +12,7 @@ use raytree::scene::{Loaded, Shape, load_file};
 use raytree::steps::Recording;
 use raytree::transport::{Options, Tracer};
 use raytree::tree::diff::{Tolerances, diff};
-use raytree::tree::{Cost, Keep, NodePath, Outcome};
+use raytree::tree::{Cost, Keep, NodePath, Outcome, TestRecord, Verdict};
 use serde_json::{Value, json};
 
 use super::client::Answer;
@@ -51,13 +51,21 @@ fn the_page_and_its_files() {
     let site = Site::of("scenes/first-hit.json");
     let page = site.good("/");
     assert_eq!(page.header("content-type"), Some("text/html; charset=utf-8"));
-    assert_eq!(page.body, std::fs::read("src/inspector/page/index.html").unwrap());
+    // As it is in its file, and what it will ask for named at its top.
+    let text = page.text();
+    let (ahead, own): (Vec<&str>, Vec<&str>) = text.lines().partition(|line| line.contains("preload"));
+    assert_eq!(own.join("\n") + "\n", std::fs::read_to_string("src/inspector/page/index.html").unwrap());
     // Every file of the page but its papers is served, byte by byte; so is whatever the page names.
     for entry in std::fs::read_dir("src/inspector/page").unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         if !name.ends_with(".md") && !name.ends_with(".txt") {
             assert_eq!(site.good(&format!("/page/{name}")).body, std::fs::read(&path).unwrap(), "{name}");
+            assert_eq!(
+                ahead.iter().any(|line| line.contains(&format!("/page/{name}\""))),
+                name.ends_with(".js"),
+                "{name}"
+            );
         }
     }
     assert_eq!(site.good("/page/style.css").header("content-type"), Some("text/css; charset=utf-8"));
@@ -168,6 +176,46 @@ fn overlays_are_what_it_took() {
 }
 
 #[test]
+fn a_picture_that_was_begun_before_is_the_same() {
+    let site = Site::of("scenes/first-tree.json");
+    let loaded = load_file("scenes/first-tree.json").unwrap();
+    let path = format!("/api/scenes/{}/render", site.id());
+    let plain = pixels(&site.good(&path), &loaded);
+    let stop = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| site.inspector.paint(&stop));
+        // Asked for while it grows, and by two at once.
+        let other = scope.spawn(|| pixels(&site.good(&path), &loaded));
+        assert!(plain == pixels(&site.good(&path), &loaded) && plain == other.join().unwrap());
+    });
+    assert!(plain == pixels(&site.good(&path), &loaded), "when it is done");
+    // A picture that was stopped is made to its end by those who ask.
+    let site = Site::of("scenes/first-tree.json");
+    let stopped = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| site.inspector.paint(&stopped));
+        scope.spawn(|| stopped.store(true, Ordering::SeqCst));
+        assert!(plain == pixels(&site.good(&path), &loaded), "while it is stopped");
+    });
+    assert!(plain == pixels(&site.good(&path), &loaded), "after it was stopped");
+}
+
+/// What the page shows of a pixel that was clicked, by a recording: the step of the camera ray's best hit, or its last test.
+fn decisive(recording: &Recording<'_>) -> String {
+    let of_tests = || recording.steps.iter().filter(|step| step.node == 0).filter_map(|step| Some((step, step.test?)));
+    let is_best = |test: usize| match &recording.nodes[0].ray.tests.as_ref().unwrap()[test] {
+        TestRecord::Shape(test) => test.verdict == Verdict::Best,
+        TestRecord::Bounds(_) => false,
+    };
+    let best = of_tests().filter(|(step, test)| is_best(*test) && step.arithmetic.is_some()).last();
+    let Some(picture) = best.or(of_tests().last()).and_then(|(step, _)| step.diagram) else {
+        return "kind=section".into();
+    };
+    let shape = picture.shape.map_or(String::new(), |shape| format!("&shape={shape}"));
+    format!("kind={}{shape}{}", picture.kind, picture.primitive.map_or(String::new(), |p| format!("&primitive={p}")))
+}
+
+#[test]
 fn recordings_and_diagrams_are_those_of_the_library() {
     for file in ["scenes/whitted.json", "scenes/smooth-mesh.json"] {
         let site = Site::of(file);
@@ -178,12 +226,13 @@ fn recordings_and_diagrams_are_those_of_the_library() {
             let tree = tree(&tracer, &loaded, [*x, *y], Keep::Steps);
             let recording = site.good(&format!("/api/scenes/{id}/recording?x={x}&y={y}"));
             assert_eq!(recording.text(), Recording::of(&loaded.scene, &tree).to_json());
-            // What the camera ray hits, by its own name and by that of its shape.
-            let of_the_hit = site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&kind=hit&theme=dark"));
-            let about = of_the_hit.header("x-raytree-diagram").unwrap().to_owned();
+            // What decides about the camera ray, by that name and by that of the shape: what the step shows that its
+            // recording says decides.
+            let of_the_verdict = site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&kind=verdict&theme=dark"));
+            let about = of_the_verdict.header("x-raytree-diagram").unwrap().to_owned();
             let same = site.good(&format!("/api/scenes/{id}/diagram?x={x}&y={y}&{about}&theme=dark"));
-            assert_eq!(of_the_hit.text(), same.text(), "{about}");
-            assert_eq!(about.contains("shape="), tree.root.hit.is_some(), "{about}");
+            assert_eq!(of_the_verdict.text(), same.text(), "{about}");
+            assert_eq!(about, decisive(&Recording::of(&loaded.scene, &tree)), "{file} {x},{y}");
             for (path, node) in tree.nodes().into_iter().take(4) {
                 let chosen = node.hit.as_ref().map(|hit| Chosen { shape: hit.shape, primitive: hit.primitive });
                 for kind in Kind::ALL {

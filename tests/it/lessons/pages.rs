@@ -221,10 +221,12 @@ fn the_contents_are_complete() {
         }
     }
     assert_eq!(folders, COURSE.iter().map(|course| course.folder.to_owned()).collect());
-    for course in COURSE.iter() {
+    assert!(COURSE.is_sorted_by_key(|course| course.folder));
+    for course in COURSE {
         let name = course.folder.strip_prefix("lessons/").unwrap();
-        let number = &name[..2];
-        assert!(front.contains(&format!("| {number} | ")) && front.contains(&format!("[{name}]({name}/README.md)")));
+        assert!(
+            front.contains(&format!("| {} | ", &name[..2])) && front.contains(&format!("[{name}]({name}/README.md)"))
+        );
         assert!(summary.contains(&format!("({name}/README.md)")));
         let page = std::fs::read_to_string(format!("{}/README.md", course.folder)).unwrap();
         let parts = ["## The idea", "## Write", "## Notice", "## Questions", "## In the tracer"];
