@@ -9,6 +9,7 @@
 
 mod answer;
 mod attempt;
+pub mod grading;
 pub mod pictures;
 mod report;
 mod task;
