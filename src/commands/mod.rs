@@ -6,6 +6,7 @@ mod completions;
 mod diagram;
 mod diff;
 mod effects;
+mod exercise;
 mod failure;
 mod files;
 mod forest;
@@ -65,6 +66,7 @@ enum Command {
     Effects(effects::Args),
     Accuracy(accuracy::Args),
     Grade(grade::Args),
+    Exercise(exercise::Args),
     Check(check::Args),
     Schema(schema::Args),
     Typeset(typeset::Args),
@@ -99,6 +101,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
         Command::Grade(args) => grade::run(&args),
+        Command::Exercise(args) => exercise::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Typeset(args) => typeset::run(&args),

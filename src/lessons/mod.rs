@@ -11,6 +11,7 @@ mod answer;
 mod attempt;
 pub mod grading;
 pub mod pictures;
+pub mod questions;
 mod report;
 mod task;
 mod words;

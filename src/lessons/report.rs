@@ -55,6 +55,9 @@ pub struct StageReport {
     pub cases: usize,
     /// What came of it.
     pub outcome: Outcome,
+    /// The functions of the same lesson that it builds on.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub after: Vec<String>,
     /// The functions that have to be right first, of a stage that was not reached.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub waits_for: Vec<String>,
@@ -166,16 +169,13 @@ impl Lesson {
         (self.report(stages), picture)
     }
 
-    /// Runs the stage with this number, from 1, and no other; nothing where there is none. A stage that fails waits for all
-    /// functions that it builds on: whether they are right is not looked at.
+    /// Runs the stage with this number, from 1, and no other; nothing where there is none. Whether what it builds on is right
+    /// is not looked at.
     pub fn check_stage(&self, number: usize) -> Option<Report> {
         let stage = self.stages.get(number.checked_sub(1)?)?;
         let failure = stage.run().failure;
-        let (outcome, waits_for) = match &failure {
-            None => (Outcome::Passed, Vec::new()),
-            Some(_) => (Outcome::Failed, stage.after.iter().map(|name| (*name).to_owned()).collect()),
-        };
-        Some(self.report(vec![stage.report(outcome, waits_for, failure)]))
+        let outcome = if failure.is_none() { Outcome::Passed } else { Outcome::Failed };
+        Some(self.report(vec![stage.report(outcome, Vec::new(), failure)]))
     }
 
     fn report(&self, stages: Vec<StageReport>) -> Report {
@@ -201,6 +201,7 @@ impl Stage {
             of: self.points,
             cases: self.cases,
             outcome,
+            after: self.after.iter().map(|name| (*name).to_owned()).collect(),
             waits_for,
             failure: failure.filter(|_| outcome == Outcome::Failed),
         }

@@ -3,6 +3,7 @@
 mod course;
 mod process;
 mod submission;
+mod worked;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -21,7 +22,7 @@ use crate::lessons::Report;
 use crate::lessons::grading::{
     Attempt, Cohort, Grade, LessonGrade, NotBuilt, Stopped, Verdict, to_exercism, to_gradescope, to_junit,
 };
-use course::{Built, Course};
+use course::{Built, Course, Lesson};
 use process::{End, Ended, Limits};
 use submission::{LARGEST, Submission};
 
@@ -180,24 +181,25 @@ impl Grader<'_> {
         });
         let keys: Option<Vec<Report>> = keys.collect::<Result<_, Failure>>()?;
         let Some(keys) = keys else { return Ok(None) };
-        let attempts = files.into_iter().collect::<Vec<_>>().into_par_iter().map(|((lesson, source), place)| {
-            let attempt = self.attempt(lesson, source, keys[lesson].stages.len(), &folder(format!("file-{place}")))?;
+        let graded = files.into_iter().collect::<Vec<_>>().into_par_iter().map(|((lesson, source), place)| {
+            let grade = self.lesson(lesson, source, &keys[lesson], &folder(format!("file-{place}")))?;
             bar.inc(1);
-            Ok(attempt.map(|attempt| ((lesson, source), attempt)))
+            Ok(grade.map(|grade| ((lesson, source), grade)))
         });
-        let attempts: Option<BTreeMap<(usize, &[u8]), Attempt>> = attempts.collect::<Result<_, Failure>>()?;
+        let graded: Option<BTreeMap<(usize, &[u8]), LessonGrade>> = graded.collect::<Result<_, Failure>>()?;
         bar.finish_and_clear();
-        let Some(attempts) = attempts else { return Ok(None) };
+        let Some(graded) = graded else { return Ok(None) };
         let grade = |submission: &Submission| {
             let lessons = submission.files.iter().enumerate().map(|(lesson, handed)| {
                 let folder = &self.course.lessons[lesson].folder;
-                let notes = handed.as_ref().map_or(Vec::new(), |handed| handed.notes.clone());
-                let attempt = match handed.as_ref().map(|handed| handed.source.as_deref()) {
-                    None => &Attempt::Missing,
-                    Some(None) => &Attempt::NotBuilt(too_large()),
-                    Some(Some(source)) => &attempts[&(lesson, source)],
+                let key = &keys[lesson];
+                let Some(handed) = handed else { return LessonGrade::of(key, folder, &Attempt::Missing) };
+                let mut grade = match &handed.source {
+                    None => LessonGrade::of(key, folder, &Attempt::NotBuilt(too_large())),
+                    Some(source) => graded[&(lesson, source.as_slice())].clone(),
                 };
-                LessonGrade::of(&keys[lesson], folder, attempt, notes)
+                grade.notes.extend(handed.notes.iter().cloned());
+                grade
             });
             Grade::of(&submission.name, lessons.collect(), submission.notes.clone())
         };
@@ -217,15 +219,49 @@ impl Grader<'_> {
         Err(Failure::Machine(format!("the course's own solution of {name} does not pass with these limits: {why}")))
     }
 
-    /// Compiles and runs a file of a submission.
-    fn attempt(&self, lesson: usize, source: &[u8], stages: usize, folder: &Path) -> Result<Option<Attempt>, Failure> {
+    /// The grade of a file. What builds on a function that is not right is checked again with the course's own put in.
+    fn lesson(
+        &self,
+        lesson: usize,
+        source: &[u8],
+        key: &Report,
+        folder: &Path,
+    ) -> Result<Option<LessonGrade>, Failure> {
+        let Lesson { folder: name, solution, .. } = &self.course.lessons[lesson];
+        let Some(attempt) = self.attempt(lesson, source, None, key.stages.len(), &folder.join("own"))? else {
+            return Ok(None);
+        };
+        let mut grade = LessonGrade::of(key, name, &attempt);
+        for round in 0..key.stages.len() {
+            let replaced = grade.holds_up();
+            let Some(source) = worked::put_in(source, &replaced).filter(|_| !replaced.is_empty()) else { break };
+            let (worked, folder) = (worked::module(solution), folder.join(format!("with-{round}")));
+            let attempt = self.attempt(lesson, source.as_bytes(), Some(&worked), key.stages.len(), &folder)?;
+            let Some(attempt) = attempt else { return Ok(None) };
+            if !grade.follow(key, &replaced, &attempt) {
+                break;
+            }
+        }
+        Ok(Some(grade))
+    }
+
+    /// Compiles and runs a file, beside it a module with the course's functions if it needs one.
+    fn attempt(
+        &self,
+        lesson: usize,
+        source: &[u8],
+        worked: Option<&str>,
+        stages: usize,
+        folder: &Path,
+    ) -> Result<Option<Attempt>, Failure> {
         let lesson = &self.course.lessons[lesson];
         // Messages of the compiler and of panics name the file as its author knows it.
         let own = Path::new("lessons").join(&lesson.folder);
         let (run, code) = (folder.join("run"), folder.join(&own));
         create(&run)?;
         create(&code)?;
-        for (name, text) in [("exercise.rs", source), ("check.rs", lesson.check.as_bytes())] {
+        let worked = worked.map(|text| (worked::FILE, text.as_bytes()));
+        for (name, text) in [("exercise.rs", source), ("check.rs", lesson.check.as_bytes())].into_iter().chain(worked) {
             let path = code.join(name);
             fs::write(&path, text).map_err(|error| Failure::from_write(&path.display().to_string(), &error))?;
         }

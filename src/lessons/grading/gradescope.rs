@@ -19,7 +19,7 @@ pub fn to_gradescope(grade: &Grade) -> String {
                     "score": stage.points,
                     "max_score": stage.of,
                     "status": if stage.verdict == Verdict::Right { "passed" } else { "failed" },
-                    "output": stage.message.clone().unwrap_or_else(|| format!("right: {} cases", stage.cases)),
+                    "output": stage.message.clone().unwrap_or_else(|| format!("{}: {} cases", stage.verdict_words(), stage.cases)),
                     "output_format": "text",
                     "visibility": "visible",
                     "extra_data": {

@@ -12,7 +12,7 @@ impl Grade {
         page += "| lesson | function | stage | | points |\n|---|---|---|---|---|\n";
         for lesson in &self.lessons {
             for stage in &lesson.stages {
-                let (folder, verdict) = (inline(&lesson.folder), stage.verdict.words());
+                let (folder, verdict) = (inline(&lesson.folder), inline(&stage.verdict_words()));
                 let (function, name) = (&stage.function, &stage.name);
                 writeln!(page, "| {folder} | `{function}` | {name} | {verdict} | {} of {} |", stage.points, stage.of)
                     .ok();
@@ -49,7 +49,7 @@ impl LessonGrade {
         } else {
             for stage in self.stages.iter().filter(|stage| stage.verdict != Verdict::Right) {
                 let message = stage.message.as_deref().unwrap_or_default();
-                write!(page, "\n`{}`, {}: {}\n", stage.function, stage.name, stage.verdict.words()).ok();
+                write!(page, "\n`{}`, {}: {}\n", stage.function, stage.name, inline(&stage.verdict_words())).ok();
                 write!(page, "\n{}", fenced(message)).ok();
             }
         }

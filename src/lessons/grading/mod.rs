@@ -91,6 +91,9 @@ pub struct StageGrade {
     /// The functions that have to be right first, of a stage that was not reached.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub waits_for: Vec<String>,
+    /// The functions for which the course's own were put in, so that this stage could be checked all the same.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub checked_with: Vec<String>,
     /// For a reader, what went wrong; nothing where all is right.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub message: Option<String>,
@@ -247,7 +250,8 @@ impl Grade {
 
 impl LessonGrade {
     /// The grade of a lesson. `key` is the report of the course's own solution, from which its stages are taken.
-    pub fn of(key: &Report, folder: &str, attempt: &Attempt, mut notes: Vec<String>) -> Self {
+    pub fn of(key: &Report, folder: &str, attempt: &Attempt) -> Self {
+        let mut notes = Vec::new();
         let untried = |verdict, message: &str| {
             key.stages.iter().map(|stage| StageGrade::stopped(stage, verdict, message.to_owned())).collect()
         };
@@ -284,6 +288,38 @@ impl LessonGrade {
         }
     }
 
+    /// The functions that are not right by themselves, if there are stages that wait for them alone: those could be checked
+    /// with the right ones put in.
+    pub fn holds_up(&self) -> Vec<String> {
+        let is_own = |stage: &&StageGrade| {
+            !matches!(stage.verdict, Verdict::Right | Verdict::NotReached | Verdict::NotBuilt | Verdict::Missing)
+        };
+        let mut functions: Vec<String> = Vec::new();
+        for stage in self.stages.iter().filter(is_own) {
+            if !functions.contains(&stage.function) {
+                functions.push(stage.function.clone());
+            }
+        }
+        let waits = |stage: &StageGrade| stage.verdict == Verdict::NotReached && !functions.contains(&stage.function);
+        if self.stages.iter().any(waits) { functions } else { Vec::new() }
+    }
+
+    /// Takes over what came of the stages that were not reached, from an attempt with the right functions put in for
+    /// `replaced`. Returns whether there was any.
+    pub fn follow(&mut self, key: &Report, replaced: &[String], attempt: &Attempt) -> bool {
+        let mut is_any = false;
+        let again = LessonGrade::of(key, &self.folder, attempt);
+        for (stage, again) in self.stages.iter_mut().zip(again.stages) {
+            let is_open = stage.verdict == Verdict::NotReached && !replaced.contains(&stage.function);
+            if is_open && !matches!(again.verdict, Verdict::NotReached | Verdict::NotBuilt) {
+                *stage = StageGrade { checked_with: replaced.to_vec(), ..again };
+                is_any = true;
+            }
+        }
+        self.points = self.stages.iter().map(|stage| stage.points).sum();
+        is_any
+    }
+
     /// The first stage that is not right.
     fn first_open(&self) -> Option<&StageGrade> {
         self.stages.iter().find(|stage| stage.verdict != Verdict::Right)
@@ -303,29 +339,28 @@ fn is_stage_of(stage: &StageReport, key: &StageReport) -> bool {
         && stage.points == points
 }
 
-/// The stages of a lesson that were run one by one. A wrong one that builds on one that is not right was not reached.
+/// The stages of a lesson that were run one by one. One that is not right and builds on one that is not was not reached.
 fn by_stages(key: &Report, stages: &[Result<StageReport, Stopped>]) -> Vec<StageGrade> {
     let mut grades: Vec<StageGrade> = Vec::new();
     for (key, came) in key.stages.iter().zip(stages) {
+        let is_open = |name: &&String| grades.iter().any(|s| s.function == **name && s.verdict != Verdict::Right);
+        let waits_for: Vec<String> = key.after.iter().filter(is_open).cloned().collect();
         let grade = match came {
             Ok(report) if !is_stage_of(report, key) => {
                 let message = "The program wrote a result that is not this lesson's.";
                 StageGrade::stopped(key, Verdict::Crashed, message.to_owned())
             }
-            Ok(report) => {
-                let is_open =
-                    |name: &&String| grades.iter().any(|s| s.function == **name && s.verdict != Verdict::Right);
-                let waits_for: Vec<String> = report.waits_for.iter().filter(is_open).cloned().collect();
-                let mut report = StageReport { waits_for, ..report.clone() };
-                if report.outcome != Outcome::Passed && !report.waits_for.is_empty() {
-                    report.outcome = Outcome::NotReached;
-                    report.failure = None;
-                }
-                StageGrade::reported(&report)
-            }
+            Ok(report) => StageGrade::reported(report),
             Err(stopped) => StageGrade::stopped(key, stopped.verdict, stopped.message.clone()),
         };
-        grades.push(grade);
+        grades.push(match grade.verdict {
+            Verdict::Right => grade,
+            _ if waits_for.is_empty() => grade,
+            _ => {
+                let message = format!("waits for {}", waits_for.join(" and "));
+                StageGrade { waits_for, ..StageGrade::stopped(key, Verdict::NotReached, message) }
+            }
+        });
     }
     grades
 }
@@ -354,6 +389,7 @@ impl StageGrade {
             cases: stage.cases,
             verdict,
             waits_for: if verdict == Verdict::NotReached { stage.waits_for.clone() } else { Vec::new() },
+            checked_with: Vec::new(),
             message,
             failure: stage.failure.clone().filter(|_| verdict != Verdict::Right),
         }
@@ -369,6 +405,7 @@ impl StageGrade {
             cases: key.cases,
             verdict,
             waits_for: Vec::new(),
+            checked_with: Vec::new(),
             message: Some(clean(&message)),
             failure: None,
         }
@@ -377,6 +414,14 @@ impl StageGrade {
     /// The mistake, where it is a known one.
     pub fn mistake(&self) -> Option<&Mistake> {
         self.failure.as_ref()?.mistake.as_ref()
+    }
+
+    /// What came of it, for a table.
+    fn verdict_words(&self) -> String {
+        match self.checked_with.as_slice() {
+            [] => self.verdict.words().to_owned(),
+            with => format!("{}, with the course's {}", self.verdict.words(), with.join(" and ")),
+        }
     }
 
     /// The stage in a few words.
