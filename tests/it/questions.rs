@@ -194,8 +194,9 @@ fn formulas_and_documents_are_whole() {
         // Where there is a TeX it has the last word.
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("sheet.tex"), &page).unwrap();
-        let tex = Command::new("pdflatex").args(["-interaction=nonstopmode", "-halt-on-error", "sheet.tex"]);
-        if let Ok(output) = { tex }.current_dir(folder.path()).output() {
+        let mut tex = Command::new("pdflatex");
+        tex.args(["-interaction=nonstopmode", "-halt-on-error", "sheet.tex"]).current_dir(folder.path());
+        if let Ok(output) = tex.output() {
             assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
         }
     }

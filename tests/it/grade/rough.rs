@@ -27,10 +27,13 @@ fn code_that_does_not_play_by_the_rules() {
     hand_in(&submissions, "b-leaves", PLANE, &distance("std::process::exit(point.x as i32 * 0)"));
     hand_in(&submissions, "c-floods", PLANE, &distance("loop {\n        println!(\"{point} and on and on\");\n    }"));
     hand_in(&submissions, "d-deep", PLANE, &distance("signed_distance(point, plane) + std::hint::black_box(1.0)"));
-    // A process that is started and left behind with the pipe in its hand.
-    let leaves_one = distance(
-        "std::process::Command::new(\"sleep\").arg(\"77\").spawn().ok();\n    point.dot(plane.normal) - plane.distance",
-    );
+    // A process that is started and left behind, with the pipe in its hand.
+    let late = folder.path().join("late");
+    let leaves_one = distance(&format!(
+        "std::process::Command::new(\"sh\").args([\"-c\", \"sleep 3; echo > '{}'\"]).spawn().ok();\n    \
+         point.dot(plane.normal) - plane.distance",
+        late.display()
+    ));
     hand_in(&submissions, "e-leaves-one-behind", PLANE, &leaves_one);
     // Another main function that writes a result of its own.
     let solution = handed_out(PLANE, "exercise");
@@ -41,9 +44,13 @@ fn code_that_does_not_play_by_the_rules() {
          std::fs::write(\"result.json\", own).unwrap();\n}}\n"
     );
     hand_in(&submissions, "f-forges", PLANE, &forged);
+    // A loop that three functions call, one of which has a mistake of its own.
+    let two = with_body("04-box", "slab", "loop {\n        std::hint::black_box(origin);\n    }");
+    let two = two.replacen("t_in > t_out || t_out < 0.0", "t_in > t_out", 1);
+    hand_in(&submissions, "g-two", "04-box", &two);
     let results = folder.path().join("results");
     let [from, to] = [&submissions, &results].map(|path| path.to_str().unwrap());
-    let output = grade(&["--cohort", from, "-o", to, "--lessons", "2", "--time-limit", "5", "--output-limit", "64"]);
+    let output = grade(&["--cohort", from, "-o", to, "--lessons", "2,4", "--time-limit", "3", "--output-limit", "64"]);
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
     let of = |name: &str| read(&results.join(name).join("grade.json"));
     for (name, points, verdict, message) in [
@@ -64,8 +71,14 @@ fn code_that_does_not_play_by_the_rules() {
     let notes = of("f-forges").lessons[0].notes.join("; ");
     assert!(notes.contains("fn main is not the one that was handed out"), "{notes}");
     assert!(of("b-leaves").lessons[0].notes.iter().any(|note| note.contains("std::process")));
-    let left = Command::new("ps").args(["-eo", "args"]).output();
-    assert!(left.is_ok_and(|left| !text(&left.stdout).lines().any(|line| line == "sleep 77")), "it is still there");
+    let two = &of("g-two").lessons[1];
+    let came: Vec<_> = two.stages.iter().map(|stage| (stage.verdict, stage.checked_with.concat())).collect();
+    let slab = || "slab".to_owned();
+    let expected = [(Verdict::TimedOut, String::new()), (Verdict::Wrong, slab()), (Verdict::Right, slab())];
+    assert_eq!(came[..3], expected, "{two:?}");
+    assert_eq!(two.stages[1].mistake().unwrap().id, "rectangle-behind");
+    std::thread::sleep(Duration::from_secs(3));
+    assert!(!late.exists(), "what a program leaves behind is ended with it");
 }
 
 /// A single submission, wherever the lessons lie in it; links are not followed; twice is said.
@@ -130,8 +143,14 @@ fn folders_that_are_no_submissions() {
 #[test]
 fn ctrl_c_ends_the_students_program_too() {
     let folder = tempfile::tempdir().unwrap();
-    let body = "std::process::Command::new(\"sleep\").arg(\"78\").status().ok();\n    0.0";
-    hand_in(folder.path(), "submission", PLANE, &with_body(PLANE, "signed_distance", body));
+    let beat = folder.path().join("beat");
+    let body = format!(
+        "loop {{\n        use std::io::Write;\n        \
+         let mut file = std::fs::File::options().create(true).append(true).open({beat:?}).unwrap();\n        \
+         file.write_all(b\".\").unwrap();\n        \
+         std::thread::sleep(std::time::Duration::from_millis(50));\n    }}"
+    );
+    hand_in(folder.path(), "submission", PLANE, &with_body(PLANE, "signed_distance", &body));
     let results = folder.path().join("results");
     let child = Command::new(env!("CARGO_BIN_EXE_raytree"))
         .args(["grade".as_ref(), folder.path().join("submission").as_os_str(), "-o".as_ref(), results.as_os_str()])
@@ -141,18 +160,17 @@ fn ctrl_c_ends_the_students_program_too() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    let is_sleeping = || {
-        let list = Command::new("ps").args(["-eo", "args"]).output().unwrap();
-        text(&list.stdout).lines().any(|line| line == "sleep 78")
-    };
-    let mut patience = 1200;
-    while !is_sleeping() {
+    let beats = || fs::metadata(&beat).map_or(0, |data| data.len());
+    let mut patience = 3000;
+    while beats() < 3 {
         patience -= 1;
         assert!(patience > 0, "the program was never started");
-        std::thread::sleep(Duration::from_millis(200));
+        std::thread::sleep(Duration::from_millis(100));
     }
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
-    assert!(!is_sleeping() && !results.exists());
+    let there = beats();
+    std::thread::sleep(Duration::from_millis(300));
+    assert!(beats() == there && !results.exists());
 }
