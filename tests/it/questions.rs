@@ -54,11 +54,8 @@ fn answers(kind: &str, text: &str) -> Vec<f64> {
             let (o, d, v2) = (v("o"), v("d"), v("v_2"));
             let (e0, e1, s) = (sub(v("v_0"), v2), sub(v("v_1"), v2), sub(o, v2));
             let whole = dot(cross(e0, e1), d);
-            let (t, a, b) = (
-                -dot(cross(e0, e1), s) / whole,
-                dot(cross(s, e1), d) / whole,
-                dot(cross(e0, s), d) / whole,
-            );
+            let (t, a, b) =
+                (-dot(cross(e0, e1), s) / whole, dot(cross(s, e1), d) / whole, dot(cross(e0, s), d) / whole);
             assert!(t > 0.0 && a > 0.0 && b > 0.0 && a + b < 1.0, "{text}");
             vec![t, a, b]
         }
@@ -162,7 +159,10 @@ fn the_same_seed_gives_the_same_bytes() {
     assert_eq!(good(line), good(line));
     assert_ne!(good(line), good(&line.replace('3', "4")));
     assert_eq!(good(line), to_markdown(&questions(3, &[Kind::Sphere, Kind::Plane], 5), "Ray tracing, sheet 3"));
-    assert_eq!(good("exercise --seed 3 --format moodle"), to_moodle(&questions(3, &Kind::ALL, 9), "Ray tracing, sheet 3"));
+    assert_eq!(
+        good("exercise --seed 3 --format moodle"),
+        to_moodle(&questions(3, &Kind::ALL, 9), "Ray tracing, sheet 3")
+    );
 }
 
 /// Every formula can be set, and nothing in a document is left open.
@@ -213,7 +213,11 @@ fn questions_and_answers_go_apart() {
         assert!(sheet.starts_with(marks[0]) && !sheet.contains(marks[1]), "{sheet}");
         assert!(key.starts_with(marks[0]) && key.contains(marks[1]), "{key}");
         let parts: usize = questions(8, &Kind::ALL, 9).iter().map(|question| question.parts.len()).sum();
-        assert_eq!(key.lines().filter(|line| line.contains("| ") || line.contains("  \\item ")).count() - usize::from(ending == "md"), parts);
+        assert_eq!(
+            key.lines().filter(|line| line.contains("| ") || line.contains("  \\item ")).count()
+                - usize::from(ending == "md"),
+            parts
+        );
     }
     assert_eq!(good(&format!("exercise --seed 8 -o {}", file("quiz.xml"))), "");
     assert!(std::fs::read_to_string(file("quiz.xml")).unwrap().starts_with("<?xml"));

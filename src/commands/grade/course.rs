@@ -18,7 +18,7 @@ use crate::input::{Problem, one_of};
 use crate::lessons::grading::NotBuilt;
 
 /// What the compiler may use for one file.
-const COMPILER: Limits = Limits { seconds: 120, memory: 4096, output: 4096 };
+const COMPILER: Limits = Limits { seconds: 120, memory: 4096, output: 4096, files: 1024 };
 
 /// A lesson as the course has it.
 #[derive(Debug)]
@@ -174,10 +174,10 @@ impl Built {
         let profile = &artifact("raytree", "lib")?["profile"];
         let level = profile["opt_level"].as_str().unwrap_or("1");
         let checks = if profile["debug_assertions"] == true { "on" } else { "off" };
-        let mut flags: Vec<OsString> =
-            ["--edition=2024", "--crate-type=bin", "--error-format=json", "--cap-lints=allow"]
-                .map(OsString::from)
-                .to_vec();
+        // Warnings are nothing to a grader; what the course refuses, and the compiler by itself, is refused here too.
+        const FIXED: [&str; 5] =
+            ["--edition=2024", "--crate-type=bin", "--error-format=json", "-Awarnings", "-Dunsafe_code"];
+        let mut flags = FIXED.map(OsString::from).to_vec();
         let codegen = [
             format!("opt-level={level}"),
             format!("debug-assertions={checks}"),

@@ -15,7 +15,7 @@ use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
 use super::failure::Failure;
 use super::options::thread_counts;
-use super::output::Folder;
+use super::output::{Folder, Target};
 use super::progress;
 use crate::input::{Problem, printable};
 use crate::lessons::Report;
@@ -41,7 +41,8 @@ network and write its own result. Run it where that does not matter, in a contai
 bubblewrap: docs/grading.md has the commands. The memory limit is kept on Linux only, time and output everywhere.
 
 Results: grade.json, results.json (Gradescope), junit.xml, exercism/NN-name/results.json, grade.md; for a cohort that for
-each submission in a folder of its name, and cohort.json and cohort.md. The exit code is 0 whatever the marks are.")]
+each submission in a folder of its name, and cohort.json and cohort.md. On standard output a line for each submission.
+The exit code is 0 whatever the marks are.")]
 pub(super) struct Args {
     /// The folder of the submission; with --cohort, of the submissions, a folder each
     folder: PathBuf,
@@ -74,7 +75,8 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let course = Course::open(&args.course, &args.lessons)?;
     let submissions = submissions(args, &course)?;
-    let limits = Limits { seconds: args.time_limit, memory: args.memory_limit, output: args.output_limit as usize };
+    let limits =
+        Limits { seconds: args.time_limit, memory: args.memory_limit, output: args.output_limit as usize, files: 16 };
     let pool = progress::pool(args.threads)?;
     let grades = progress::stoppable(|stop| {
         let built = match course.build(stop)? {
@@ -84,7 +86,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let grader = Grader { course: &course, built: &built, limits, stop };
         pool.install(|| grader.grades(&submissions)).transpose()
     })??;
-    write(args, &grades)
+    write(args, &grades)?;
+    let line = |grade: &Grade| format!("{}: {} of {} points\n", printable(&grade.submission), grade.points, grade.of);
+    Target::Stdout.write_all(grades.iter().map(line).collect::<String>().as_bytes())
 }
 
 /// The submissions that the command line names.
@@ -313,7 +317,7 @@ impl Grader<'_> {
     /// The report that a program has written, or how it ended.
     fn report(&self, ended: &Ended, result: &Path) -> Result<Report, Stopped> {
         let stopped = |verdict, message: String| Err(Stopped { verdict, message });
-        let Limits { seconds, memory, output } = self.limits;
+        let Limits { seconds, memory, output, .. } = self.limits;
         let status = match &ended.end {
             End::TimedOut => return stopped(Verdict::TimedOut, format!("It ran longer than {seconds} s.")),
             End::TooMuchOutput => {

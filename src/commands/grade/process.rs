@@ -18,6 +18,8 @@ pub(super) struct Limits {
     pub(super) memory: u64,
     /// What it may print, in KiB.
     pub(super) output: usize,
+    /// The largest file that it may write, in MiB, where the system keeps it.
+    pub(super) files: u64,
 }
 
 /// How a program ended.
@@ -52,8 +54,6 @@ impl Ended {
 
 /// How often a program is looked after.
 const PULSE: Duration = Duration::from_millis(5);
-/// The largest file that a program may write, in blocks of 512 bytes (of 1024 for some shells).
-const FILE_BLOCKS: u64 = 1 << 16;
 
 /// Runs a program in a folder with nothing on its standard input. It leads a group of processes of its own, which is
 /// ended with it. Nothing if stopped before it has ended.
@@ -119,10 +119,9 @@ impl Drop for Group {
 fn limited(program: &Path, limits: Limits) -> Command {
     use std::os::unix::process::CommandExt;
     // A limit that the system does not know is left out: macOS has none on memory.
-    let script = format!(
-        "ulimit -c 0; ulimit -f {FILE_BLOCKS}; ulimit -v {} 2>/dev/null; exec \"$0\" \"$@\"",
-        limits.memory.saturating_mul(1024)
-    );
+    // Files are counted in blocks of 512 bytes; for some shells of 1024.
+    let (files, memory) = (limits.files.saturating_mul(2048), limits.memory.saturating_mul(1024));
+    let script = format!("ulimit -c 0; ulimit -f {files}; ulimit -v {memory} 2>/dev/null; exec \"$0\" \"$@\"");
     let mut command = Command::new("/bin/sh");
     command.arg("-c").arg(script).arg(program).process_group(0);
     command

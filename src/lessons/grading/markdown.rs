@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Cohort, Grade, LessonGrade, NO_SANDBOX, Verdict};
+use super::{Cohort, Grade, LessonGrade, NO_SANDBOX, Verdict, clean};
 use crate::input::printable;
 
 impl Grade {
@@ -21,7 +21,12 @@ impl Grade {
         for note in &self.notes {
             write!(page, "\nNote: {}.\n", inline(note)).ok();
         }
-        for lesson in self.lessons.iter().filter(|lesson| lesson.first_open().is_some() || !lesson.notes.is_empty()) {
+        // Of what is missing the table says enough.
+        let is_told = |lesson: &&LessonGrade| {
+            let first = lesson.first_open().filter(|stage| stage.verdict != Verdict::Missing);
+            first.is_some() || !lesson.notes.is_empty()
+        };
+        for lesson in self.lessons.iter().filter(is_told) {
             write!(page, "\n## {}: {} of {} points\n", inline(&lesson.folder), lesson.points, lesson.of).ok();
             page += &lesson.words();
         }
@@ -37,15 +42,12 @@ impl LessonGrade {
         for note in &self.notes {
             write!(page, "\nTo look at: {}.\n", inline(note)).ok();
         }
-        let first = self.stages.first().map(|stage| stage.verdict);
         if let Some(not_built) = &self.not_built {
             let more = match not_built.errors {
                 0 | 1 => String::new(),
                 errors => format!(" The first of {errors} errors:"),
             };
             page += &format!("\nIt does not compile.{more}\n\n{}", fenced(&not_built.text));
-        } else if first == Some(Verdict::Missing) {
-            page += "\nThere is no such file in the submission.\n";
         } else {
             for stage in self.stages.iter().filter(|stage| stage.verdict != Verdict::Right) {
                 let message = stage.message.as_deref().unwrap_or_default();
@@ -115,12 +117,13 @@ impl Cohort {
 
 /// Words of others in a line or a cell of a table, where they mean nothing but themselves.
 fn inline(words: &str) -> String {
-    let special = |c: char| "\\`*_{}[]<>#|!~&".contains(c);
+    let special = |c: char| "\\`*_[]<|~&$".contains(c);
     printable(words).chars().flat_map(|c| special(c).then_some('\\').into_iter().chain([c])).collect()
 }
 
 /// A block of text, between fences that are longer than any in it.
 fn fenced(text: &str) -> String {
+    let text = clean(text);
     let mut longest = 0;
     let mut run = 0;
     for c in text.chars() {
@@ -128,5 +131,5 @@ fn fenced(text: &str) -> String {
         longest = longest.max(run);
     }
     let fence = "`".repeat(3.max(longest + 1));
-    format!("{fence}text\n{}\n{fence}\n", text.trim_end())
+    format!("{fence}text\n{}\n{fence}\n", text)
 }

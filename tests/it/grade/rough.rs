@@ -129,7 +129,10 @@ fn folders_that_are_no_submissions() {
         let words: Vec<&str> = words.iter().map(String::as_str).chain(["-o", &results]).collect();
         let output = grade(&words);
         let error = text(&output.stderr);
-        assert!(output.status.code() == Some(2) && output.stdout.is_empty() && error.contains(told), "{words:?}: {error}");
+        assert!(
+            output.status.code() == Some(2) && output.stdout.is_empty() && error.contains(told),
+            "{words:?}: {error}"
+        );
         assert!(!Path::new(&results).exists(), "{words:?}");
     }
     let among = grade(&["--cohort", &path("cohort"), "-o", &path("cohort/ada")]);
