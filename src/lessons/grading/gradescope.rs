@@ -4,7 +4,7 @@
 
 use serde_json::json;
 
-use super::{Grade, NO_SANDBOX, Verdict, indented};
+use super::{Grade, NO_SANDBOX, StageGrade, Verdict, indented};
 
 /// The grade as Gradescope reads it. The score is the sum of the tests' scores.
 pub fn to_gradescope(grade: &Grade) -> String {
@@ -19,7 +19,7 @@ pub fn to_gradescope(grade: &Grade) -> String {
                     "score": stage.points,
                     "max_score": stage.of,
                     "status": if stage.verdict == Verdict::Right { "passed" } else { "failed" },
-                    "output": stage.message.clone().unwrap_or_else(|| format!("{}: {} cases", stage.verdict_words(), stage.cases)),
+                    "output": stage.message.clone().unwrap_or_else(|| right(stage)),
                     "output_format": "text",
                     "visibility": "visible",
                     "extra_data": {
@@ -40,4 +40,9 @@ pub fn to_gradescope(grade: &Grade) -> String {
         "extra_data": { "submission": grade.submission, "notice": NO_SANDBOX },
         "tests": tests,
     }))
+}
+
+/// What there is to say of a stage that nothing is wrong with.
+fn right(stage: &StageGrade) -> String {
+    format!("{}: {} cases", stage.verdict_words(), stage.cases)
 }

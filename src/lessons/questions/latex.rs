@@ -17,7 +17,7 @@ pub fn to_latex(questions: &[Question], title: &str) -> String {
     for question in questions {
         write!(page, "\\item \\textbf{{{}.}} {}\n  \\begin{{enumerate}}\n", question.kind.title(), question.given).ok();
         for part in &question.parts {
-            writeln!(page, "  \\item {}: \\rule{{3cm}}{{0.4pt}}", part.asked).ok();
+            writeln!(page, "  \\item {}: \\rule{{2cm}}{{0.4pt}}", part.asked).ok();
         }
         page += "  \\end{enumerate}\n";
     }
