@@ -6,10 +6,12 @@ mod completions;
 mod diagram;
 mod diff;
 mod effects;
+mod exercise;
 mod failure;
 mod files;
 mod forest;
 mod gallery;
+mod grade;
 mod inspect;
 pub mod lesson;
 mod options;
@@ -63,6 +65,8 @@ enum Command {
     Diff(diff::Args),
     Effects(effects::Args),
     Accuracy(accuracy::Args),
+    Grade(grade::Args),
+    Exercise(exercise::Args),
     Check(check::Args),
     Schema(schema::Args),
     Typeset(typeset::Args),
@@ -96,6 +100,8 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> u8 {
         Command::Diff(args) => diff::run(&args),
         Command::Effects(args) => effects::run(&args),
         Command::Accuracy(args) => accuracy::run(&args),
+        Command::Grade(args) => grade::run(&args),
+        Command::Exercise(args) => exercise::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Typeset(args) => typeset::run(&args),

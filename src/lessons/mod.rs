@@ -10,10 +10,12 @@
 mod answer;
 mod attempt;
 mod choices;
+pub mod grading;
 mod hierarchy;
 mod mesh_view;
 pub mod pictures;
 mod program;
+pub mod questions;
 mod report;
 mod task;
 mod words;

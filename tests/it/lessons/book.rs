@@ -79,3 +79,24 @@ fn what_mdbook_asks_and_what_is_no_book() {
     }
     assert_eq!(typeset(&["html"], "").status.code(), Some(2));
 }
+
+/// The real thing, where mdbook is installed.
+#[test]
+fn the_book_builds() {
+    let folder = tempfile::tempdir().unwrap();
+    let built = Command::new("mdbook")
+        .args(["build", "lessons", "--dest-dir"])
+        .arg(folder.path())
+        .env("MDBOOK_PREPROCESSOR__TYPESET__COMMAND", format!("{} typeset", env!("CARGO_BIN_EXE_raytree")))
+        .output();
+    // Nobody needs it to work on the course; .ci/run has it.
+    let Ok(built) = built else { return eprintln!("mdbook is not installed: the book was not built") };
+    let told = String::from_utf8_lossy(&built.stderr);
+    assert!(built.status.success() && !told.contains("ERROR"), "{told}");
+    let summary = std::fs::read_to_string("lessons/SUMMARY.md").unwrap();
+    for file in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        let page = std::fs::read_to_string(folder.path().join(file.replace("README.md", "index.html"))).unwrap();
+        let set = page.matches("class=\"formula\"").count();
+        assert!(set > 0 && !page.contains("$$"), "{file}: {set} formulas");
+    }
+}

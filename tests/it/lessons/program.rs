@@ -75,6 +75,14 @@ fn a_lesson_from_the_shell() {
     let to_file = run(&exercise, &["--json", "result.json"]);
     assert_eq!((to_file.status.code(), to_file.stdout.as_slice()), (Some(1), b"".as_slice()));
     assert_eq!(std::fs::read(folder.path().join("result.json")).unwrap(), output.stdout);
+    // One part alone, as a grader asks for it.
+    let part = run(&solution, &["--json", "--stage", "2"]);
+    let report: serde_json::Value = serde_json::from_slice(&part.stdout).unwrap();
+    let names: Vec<_> = report["stages"].as_array().unwrap().iter().map(|stage| &stage["function"]).collect();
+    assert_eq!((part.status.code(), names), (Some(0), vec![&"weights".into()]));
+    assert_eq!(run(&exercise, &["--json", "--stage", "2"]).status.code(), Some(1));
+    assert!(text(&run(&solution, &["--json", "--stage", "5"]).stderr).contains("the lesson has no part 5"));
+    assert_eq!(run(&solution, &["--stage", "2"]).status.code(), Some(2));
     let output = run(&solution, &["--json"]);
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((output.status.code(), &report["passed"]), (Some(0), &true.into()));
