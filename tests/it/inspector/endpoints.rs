@@ -207,8 +207,8 @@ fn decisive(recording: &Recording<'_>) -> String {
         TestRecord::Shape(test) => test.verdict == Verdict::Best,
         TestRecord::Bounds(_) => false,
     };
-    let best = of_tests().filter(|(step, test)| is_best(*test) && step.arithmetic.is_some()).last();
-    let Some(picture) = best.or(of_tests().last()).and_then(|(step, _)| step.diagram) else {
+    let best = of_tests().rfind(|(step, test)| is_best(*test) && step.arithmetic.is_some());
+    let Some(picture) = best.or(of_tests().next_back()).and_then(|(step, _)| step.diagram) else {
         return "kind=section".into();
     };
     let shape = picture.shape.map_or(String::new(), |shape| format!("&shape={shape}"));
