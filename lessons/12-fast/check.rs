@@ -320,9 +320,8 @@ fn cost() -> Task<[Vec<Item>; 2]> {
         },
     ];
     let unit = |x: f64| Triangle { vertices: [dvec3(x, 0.0, 0.0), dvec3(x + 1.0, 1.0, 1.0), dvec3(x, 1.0, 0.0)] };
-    let shifted = |x: f64| Triangle { vertices: unit(x).vertices.map(|v| v + dvec3(0.0, 0.0, 0.0)) };
     let mut cases = vec![
-        Case::new("one and two", [numbered([unit(0.0)]), numbered([shifted(4.0), shifted(5.0)])]),
+        Case::new("one and two", [numbered([unit(0.0)]), numbered([unit(4.0), unit(5.0)])]),
         Case::new("three and one", [row(3), row(8)[7..].to_vec()]),
         Case::new("four and four", [row(4), row(8)[4..].to_vec()]),
     ];
@@ -339,7 +338,7 @@ fn cost() -> Task<[Vec<Item>; 2]> {
         after: &["bounds", "surface_area"],
         cases,
         given: |[left, right]| {
-            vec![format!("left: {} triangles", left.len()), format!("right: {} triangles", right.len())]
+            vec![format!("triangles on the left: {}", left.len()), format!("triangles on the right: {}", right.len())]
         },
         truth: |[left, right]| cost(true_cost(left, right)),
         faults: FAULTS,
@@ -721,7 +720,7 @@ fn build() -> Task<Plan> {
         name: "the hierarchy",
         function: "build",
         points: 3,
-        after: &["bounds", "split"],
+        after: &["bounds", "surface_area", "cost", "split"],
         cases,
         given: |plan| vec![format!("{} triangles, numbered as in the picture", plan.items.len())],
         truth: |_| {
@@ -1153,7 +1152,7 @@ fn picture() -> Task<Rc<Scenery>> {
         name: "the picture",
         function: "build and nearest",
         points: 2,
-        after: &["build", "nearest"],
+        after: &["bounds", "surface_area", "cost", "split", "build", "nearest"],
         cases: vec![
             Case::new("the ball with waves", Scenery::new("scenes/mesh.json", waves)),
             Case::new("the cut stone", Scenery::new("scenes/gem.json", gem)),

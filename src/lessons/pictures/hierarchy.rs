@@ -90,7 +90,7 @@ pub fn two_groups(left: &[Item], right: &[Item], what: &Shown) -> Drawing {
         let rect = rectangle(&view, &aabb).grown(5.0);
         outline(&mut sketch, rect, Pen::new(color, 1.8));
         let area = crate::hits::Bounds { min: aabb.min.to_array(), max: aabb.max.to_array() }.half_area() * 2.0;
-        let words = format!("{} triangles, area {}", items.len(), shown(area));
+        let words = format!("triangles: {}, area {}", items.len(), shown(area));
         sketch.name_in(DVec2::new(rect.center().x, rect.min.y), words, color);
     }
     sketch.finish();

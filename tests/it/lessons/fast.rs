@@ -169,6 +169,30 @@ fn ties_may_be_broken_either_way() {
     assert!(report.passed, "{}", report.to_text("run"));
 }
 
+/// A cut that is dear costs its own stage, and not the picture that is slow because of it.
+#[test]
+fn a_dear_cut_costs_one_stage() {
+    let dear = check::lesson(check::Student {
+        split: |items| {
+            let (left, right) = items.split_at(1);
+            [left.to_vec(), right.to_vec()]
+        },
+        build: |items, builder| {
+            let bounds = solution::bounds(items);
+            if items.len() <= 2 {
+                return Node::leaf(bounds, items);
+            }
+            let (left, right) = items.split_at(1);
+            Node::inner(bounds, builder.build(left), builder.build(right))
+        },
+        ..student()
+    });
+    let (report, _) = dear.check();
+    let lost: Vec<&str> = report.stages.iter().filter(|s| s.outcome == Outcome::Failed).map(|s| &*s.function).collect();
+    assert_eq!(lost, ["split"]);
+    assert_eq!(report.stages[6].outcome, Outcome::NotReached);
+}
+
 /// A recursion without end costs its own stage and those that build on it, and says so.
 #[test]
 fn recursions_without_end_are_told() {
