@@ -21,6 +21,8 @@ const WIDEST: f64 = 150.0;
 const GAP: f64 = 9.0;
 /// The part of a line that fans out.
 const FAN: f64 = 17.0;
+/// About the least width of a card.
+const NARROW: f64 = 60.0;
 
 pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotApplicable> {
     let rays = if input.tree.rays == 1 { "1 ray".to_owned() } else { format!("{} rays", input.tree.rays) };
@@ -137,7 +139,14 @@ impl Plan {
             let size = DVec2::new(width + 30.0, 8.0 + 15.0 * lines.len() as f64);
             let rect = Rect { min: DVec2::ZERO, max: size };
             levels.push(parent.map_or(0, |parent| levels[parent] + 1));
-            nodes.push(tidy::Node { breadth: if way == Way::Right { size.y } else { size.x }, children: Vec::new() });
+            // Below, a weight stands to the right of its line: it must not reach that of the next card, which may be narrow.
+            let label =
+                weight_words(folding.items[item].node).map_or(0.0, |words| weight_text(theme).width(words) + 10.0);
+            let breadth = match way {
+                Way::Right => size.y,
+                Way::Down => size.x.max(2.0 * (label - GAP) - NARROW),
+            };
+            nodes.push(tidy::Node { breadth, children: Vec::new() });
             if let Some(parent) = parent {
                 nodes[parent].children.push(place);
             }
