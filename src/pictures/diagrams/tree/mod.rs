@@ -21,8 +21,6 @@ const WIDEST: f64 = 150.0;
 const GAP: f64 = 9.0;
 /// The part of a line that fans out.
 const FAN: f64 = 17.0;
-/// About the least width of a card.
-const NARROW: f64 = 60.0;
 
 pub(super) fn draw(input: &Input<'_>, theme: &Theme) -> Result<Drawing, NotApplicable> {
     let rays = if input.tree.rays == 1 { "1 ray".to_owned() } else { format!("{} rays", input.tree.rays) };
@@ -139,19 +137,21 @@ impl Plan {
             let size = DVec2::new(width + 30.0, 8.0 + 15.0 * lines.len() as f64);
             let rect = Rect { min: DVec2::ZERO, max: size };
             levels.push(parent.map_or(0, |parent| levels[parent] + 1));
-            // Below, a weight stands to the right of its line: it must not reach that of the next card, which may be narrow.
-            let label =
-                weight_words(folding.items[item].node).map_or(0.0, |words| weight_text(theme).width(words) + 10.0);
-            let breadth = match way {
-                Way::Right => size.y,
-                Way::Down => size.x.max(2.0 * (label - GAP) - NARROW),
-            };
-            nodes.push(tidy::Node { breadth, children: Vec::new() });
+            nodes.push(tidy::Node { breadth: if way == Way::Right { size.y } else { size.x }, children: Vec::new() });
             if let Some(parent) = parent {
                 nodes[parent].children.push(place);
             }
             cards.push(Card { item, parent, lines, rect });
             open.extend(folding.shown(item).into_iter().rev().map(|child| (child, Some(place))));
+        }
+        if way == Way::Down {
+            // A weight stands to the right of its line: it must not reach that of the next card, which may be a narrow one.
+            let narrowest = nodes.iter().map(|node| node.breadth).fold(f64::INFINITY, f64::min);
+            for (card, node) in cards.iter().zip(&mut nodes) {
+                let words = weight_words(folding.items[card.item].node);
+                let label = words.map_or(0.0, |words| weight_text(theme).width(words) + 8.0);
+                node.breadth = node.breadth.max(2.0 * (label - GAP) - narrowest);
+            }
         }
         let (middles, across) = tidy::place(&nodes, GAP);
 
