@@ -29,7 +29,7 @@ pub(super) struct Lesson {
     pub(super) exercise: String,
     /// `solution.rs`.
     pub(super) solution: String,
-    /// `check.rs`.
+    /// `check.rs`, with the whole path of every scene that it includes.
     pub(super) check: String,
 }
 
@@ -45,6 +45,12 @@ fn number(folder: &str) -> Option<u32> {
     let (number, name) = folder.split_once('-')?;
     let is_number = number.len() == 2 && number.bytes().all(|b| b.is_ascii_digit());
     number.parse().ok().filter(|_| is_number && !name.is_empty())
+}
+
+/// A check.rs that finds the scenes it includes wherever it stands.
+fn with_scenes(check: &str, scenes: &Path) -> String {
+    let literal = format!("{:?}", scenes.display().to_string());
+    check.replace("\"../../scenes/", &format!("{}/", &literal[..literal.len() - 1]))
 }
 
 /// A checkout of the course.
@@ -86,11 +92,13 @@ impl Course {
             let cannot = |error| Problem::new(path.display().to_string(), format!("it cannot be read: {error}"), help);
             fs::read_to_string(&path).map_err(cannot)
         };
+        let scenes = std::path::absolute(folder.join("scenes"))
+            .map_err(|error| Problem::new(&name, format!("its path cannot be told: {error}"), help))?;
         let lessons = found.into_values().map(|lesson| {
             Ok(Lesson {
                 exercise: read(&lesson, "exercise.rs")?,
                 solution: read(&lesson, "solution.rs")?,
-                check: read(&lesson, "check.rs")?,
+                check: with_scenes(&read(&lesson, "check.rs")?, &scenes),
                 folder: lesson,
             })
         });

@@ -300,7 +300,7 @@ impl LessonGrade {
                 functions.push(stage.function.clone());
             }
         }
-        let waits = |stage: &StageGrade| stage.verdict == Verdict::NotReached && !functions.contains(&stage.function);
+        let waits = |stage: &StageGrade| stage.can_follow(&functions);
         if self.stages.iter().any(waits) { functions } else { Vec::new() }
     }
 
@@ -310,8 +310,7 @@ impl LessonGrade {
         let mut is_any = false;
         let again = LessonGrade::of(key, &self.folder, attempt);
         for (stage, again) in self.stages.iter_mut().zip(again.stages) {
-            let is_open = stage.verdict == Verdict::NotReached && !replaced.contains(&stage.function);
-            if is_open && !matches!(again.verdict, Verdict::NotReached | Verdict::NotBuilt) {
+            if stage.can_follow(replaced) && !matches!(again.verdict, Verdict::NotReached | Verdict::NotBuilt) {
                 *stage = StageGrade { checked_with: replaced.to_vec(), ..again };
                 is_any = true;
             }
@@ -366,6 +365,13 @@ fn by_stages(key: &Report, stages: &[Result<StageReport, Stopped>]) -> Vec<Stage
 }
 
 impl StageGrade {
+    /// Whether it can be checked with the right functions put in for `replaced`: not one of several functions together,
+    /// `the program`, of which nothing of the student's might be left.
+    fn can_follow(&self, replaced: &[String]) -> bool {
+        let is_one = !self.function.contains(' ');
+        self.verdict == Verdict::NotReached && is_one && !replaced.contains(&self.function)
+    }
+
     /// The grade of a stage that has a report.
     fn reported(stage: &StageReport) -> Self {
         let kind = stage.failure.as_ref().map(|failure| failure.kind);

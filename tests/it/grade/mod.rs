@@ -58,6 +58,20 @@ struct Sample {
     wrong: Option<(&'static str, Verdict, Option<&'static str>)>,
 }
 
+/// From lesson 06 on the functions run in the scenes of the course. What checks all of them together is worth nothing where
+/// none of them is written.
+#[test]
+fn lessons_that_read_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, file) in [("open", "exercise"), ("solved", "solution")] {
+        hand_in(folder.path(), name, "08-shadows", &handed_out("08-shadows", file));
+    }
+    let results = folder.path().join("results");
+    let (from, to) = (folder.path().display().to_string(), results.display().to_string());
+    let output = grade(&["--cohort", &from, "-o", &to, "--lessons", "8"]);
+    assert_eq!(text(&output.stdout), "open: 0 of 7 points\nsolved: 7 of 7 points\n", "{}", text(&output.stderr));
+}
+
 fn samples() -> Vec<Sample> {
     let sample = |name, lesson, source, points, function, verdict, mistake| Sample {
         name,
