@@ -17,8 +17,7 @@ fn bold(letter: &str) -> Words {
 
 /// The scalar product as a projection: a onto the line of b, with the answer over |b| as the length of the shadow.
 pub fn projection(a: DVec3, b: DVec3, what: &Shown) -> Drawing {
-    let mut page =
-        Page::new(what, "In the plane of a and b, which lies along the line: the part of a along b is a's shadow.");
+    let mut page = Page::new(what, "The plane of a and b; b points to the right. The part of a along b is a's shadow.");
     let cut = Cut::through(DVec3::ZERO, b, a);
     let along = |x: f64| DVec2::new(x / b.length().max(1e-9), 0.0);
     let number = |answer: &super::Answer| answer.number("a . b").map(along);
