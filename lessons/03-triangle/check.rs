@@ -269,14 +269,14 @@ fn weights() -> Task<(DVec3, Triangle)> {
         },
         Fault {
             id: "barycentrics-unsigned",
-            name: "the areas have no sign, so a point outside has no negative weight",
+            name: "the areas have no sign: a weight that should be negative comes out positive",
             why: "A length is never negative. Take the scalar product with the normal instead: it is negative \
                   beyond the edge.",
             answer: |(p, triangle)| of_weights(areas(*p, triangle)),
         },
         Fault {
             id: "barycentrics-unsigned-rest",
-            name: "the areas have no sign, so a point outside has no negative weight",
+            name: "the areas have no sign: a weight that should be negative comes out positive",
             why: "A length is never negative. Take the scalar product with the normal instead: it is negative \
                   beyond the edge.",
             answer: |(p, triangle)| {

@@ -2,6 +2,7 @@
 //!
 //!     cargo run --example lesson-03
 #![allow(unused_variables, reason = "until the functions are written")]
+#![allow(non_snake_case, reason = "D is the letter of the page")]
 
 mod check;
 

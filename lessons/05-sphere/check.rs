@@ -218,6 +218,18 @@ fn roots() -> Task<Quadratic> {
             answer: |q| with(q, |root| [-1.0, 1.0].map(|side| (-q.b + side * root) / 2.0 * q.a)),
         },
         Fault {
+            id: "quadratic-first-times-a",
+            name: "/ 2.0 * a in t_in divides by 2 and then multiplies by a; t_out has the brackets",
+            why: "Programs go from left to right: x / 2.0 * a is (x / 2.0) * a. Both roots need x / (2.0 * a).",
+            answer: |q| with(q, |root| [(-q.b - root) / 2.0 * q.a, (-q.b + root) / (2.0 * q.a)]),
+        },
+        Fault {
+            id: "quadratic-second-times-a",
+            name: "/ 2.0 * a in t_out divides by 2 and then multiplies by a; t_in has the brackets",
+            why: "Programs go from left to right: x / 2.0 * a is (x / 2.0) * a. Both roots need x / (2.0 * a).",
+            answer: |q| with(q, |root| [(-q.b - root) / (2.0 * q.a), (-q.b + root) / 2.0 * q.a]),
+        },
+        Fault {
             id: "quadratic-no-brackets",
             name: "-b + root / 2.0 * a divides only the root, by 2, and multiplies it by a",
             why: "Two pairs of brackets are needed: (-b + root) / (2.0 * a).",

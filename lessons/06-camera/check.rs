@@ -141,6 +141,18 @@ fn on_image() -> Task<Grid> {
             answer: |case| place(moved(case, 0.0)),
         },
         Fault {
+            id: "image-corner-across",
+            name: "x is that of the left edge of the pixel, only y is that of its middle",
+            why: "Pixel x goes from x to x + 1. Its middle is x + 0.5, as y + 0.5 is downwards.",
+            answer: |case| place(dvec2(moved(case, 0.0).x, moved(case, 0.5).y)),
+        },
+        Fault {
+            id: "image-corner-down",
+            name: "y is that of the upper edge of the pixel, only x is that of its middle",
+            why: "Pixel y goes from y to y + 1. Its middle is y + 0.5, as x + 0.5 is across.",
+            answer: |case| place(dvec2(moved(case, 0.5).x, moved(case, 0.0).y)),
+        },
+        Fault {
             id: "image-rows-flipped",
             name: "the rows are counted from the bottom",
             why: "Pixel (0, 0) is at the top left and y runs down, on the image plane it runs up: 1 - 2 (y + 0.5) / height.",
@@ -266,6 +278,16 @@ fn image_point() -> Task<CameraAndPlace> {
             },
         },
         Fault {
+            id: "plane-aspect-whole",
+            name: "width / height is divided as whole numbers: 3 / 2 is 1",
+            why: "Both are u32, and what is left over is dropped. Make numbers of them first: f64::from(camera.width) / \
+                  f64::from(camera.height).",
+            answer: |(camera, at)| {
+                let y = halves(camera).y;
+                point(plane_point(camera, *at, dvec2(y * f64::from(camera.width / camera.height), y)))
+            },
+        },
+        Fault {
             id: "plane-aspect-of-height",
             name: "the height is stretched instead of the width",
             why: "The field of view is that of the height, so tan(fov / 2) is half the height as it is.",
@@ -314,6 +336,7 @@ fn image_point() -> Task<CameraAndPlace> {
         Case::new("the middle of the image", (camera, DVec2::ZERO)),
         Case::new("the middle of pixel (0, 0)", (camera, dvec2(-0.75, 0.5))),
         Case::new("the right edge", (camera, DVec2::X)),
+        Case::new("the right edge of 3 x 2", (Camera { width: 3, ..camera }, DVec2::X)),
         Case::new("a camera that looks along x", (turned, dvec2(0.5, 1.0))),
     ];
     cases.extend(random_cases(603, 60, |random| {

@@ -741,6 +741,20 @@ fn leave() -> Task<Departure> {
             answer: |case| case.judge(case.point() + 1e-4 * case.outward()),
         },
         Fault {
+            id: "leave-fixed-one-side",
+            name: "the distance is a fixed number, and it goes along the normal even where the new ray goes to the other side",
+            why: "Two things: look at the sign of normal . direction, and make the distance a share of the sizes of \
+                  ray.origin and of t d, for rounding is a share of them.",
+            answer: |case| case.judge(case.point() + 1e-4 * case.ground.normal),
+        },
+        Fault {
+            id: "leave-fixed-along-direction",
+            name: "the distance is a fixed number, and the point is moved along the new ray",
+            why: "Two things: a ray that skims the surface hardly leaves it that way, the normal is the shortest way off; \
+                  and rounding is a share of the sizes of ray.origin and of t d, so let the distance be one.",
+            answer: |case| case.judge(case.point() + 1e-4 * case.direction),
+        },
+        Fault {
             id: "leave-fixed-small",
             name: "the distance is a fixed number, too large for small scenes and lost in large ones",
             why: "Rounding is a share of the numbers themselves: make the distance a share of the sizes of ray.origin \

@@ -35,7 +35,8 @@ pub fn meets_sphere(ray: &Ray, sphere: &Sphere) -> bool {
 
 /// Where a new ray starts that leaves a surface at `ray.at(t)` in `direction`: beside that point, on the side of the
 /// surface that `direction` points to, as far off as rounding makes it necessary. `normal` has length 1 and may point to
-/// either side.
+/// either side. It is tried with a small card that lies close to the surface: the new ray must see it, so it must not start
+/// beyond it.
 pub fn leave(ray: &Ray, t: f64, normal: DVec3, direction: DVec3) -> DVec3 {
     todo!()
 }

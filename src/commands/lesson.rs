@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::output::Target;
 use super::picture::Format;
 use crate::input::Problem;
-use crate::lessons::{Lesson, Report};
+use crate::lessons::{FailureKind, Lesson, Report};
 use crate::pictures::drawing::Drawing;
 
 /// Checks the functions of a lesson, and draws the first case that is wrong.
@@ -75,8 +75,9 @@ fn checked(lesson: &Lesson, args: &Args) -> Result<(), Failure> {
             if report.passed {
                 text += &format!("\nAll right. {}\n", lesson.notice);
             }
-            write_picture(Some(&file), drawing.as_ref())?;
-            if drawing.is_some() && has_answer(&report) {
+            // Of what is not written yet there is a picture only if it is asked for.
+            if drawing.is_some() && (args.picture.is_some() || !is_unwritten(&report)) {
+                write_picture(Some(&file), drawing.as_ref())?;
                 text += &format!("a picture: {file}\n");
             }
             text
@@ -86,10 +87,10 @@ fn checked(lesson: &Lesson, args: &Args) -> Result<(), Failure> {
     if report.passed { Ok(()) } else { Err(Failure::No) }
 }
 
-/// Whether there is an answer to be shown beside the right one.
-fn has_answer(report: &Report) -> bool {
+/// Whether the lesson goes no further because a function is not written yet.
+fn is_unwritten(report: &Report) -> bool {
     let failure = report.first_open().and_then(|(_, stage)| stage.failure.as_ref());
-    failure.is_none_or(|failure| failure.got.is_some())
+    failure.is_some_and(|failure| failure.kind == FailureKind::Unwritten)
 }
 
 fn write_picture(file: Option<&str>, drawing: Option<&Drawing>) -> Result<(), Failure> {

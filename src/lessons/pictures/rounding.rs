@@ -3,7 +3,9 @@
 use glam::DVec2;
 
 use super::{Page, Shown};
-use crate::pictures::drawing::{Align, Color, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Words};
+use crate::pictures::drawing::{
+    Align, Color, Dash, Drawing, Face, Level, Path, Pen, Raster, Rect, Sampling, Text, Words,
+};
 use crate::pictures::theme::{Hue, Theme, Verdict};
 
 /// What stands at a point of a [`map`].
@@ -92,7 +94,9 @@ pub fn map(tile: &dyn Fn(f64, f64) -> [Tile; 2], meanings: &Meanings, what: &Sho
     let text = Text::new(12.5, theme.ink).anchor(Align::Start, Level::Middle);
     for (kind, meaning) in kinds {
         let (occurs, is_wrong) = (count(whose, kind), matches!(kind, Tile::Extra | Tile::Hole));
-        if meaning.is_empty() || (is_wrong && !is_shown) || (occurs == 0 && !is_wrong) {
+        // What is in either of both maps.
+        let is_seen = occurs > 0 || count(0, kind) > 0;
+        if meaning.is_empty() || (is_wrong && !is_shown) || (!is_seen && !is_wrong) {
             continue;
         }
         let swatch = Rect::new((room.min.x, y - 7.0), (14.0, 14.0));
@@ -120,20 +124,21 @@ pub fn small_root(error: &dyn Fn(f64) -> Option<f64>, what: &Shown) -> Drawing {
     let area = Rect { min: room.min + DVec2::new(74.0, 30.0), max: room.max - DVec2::new(14.0, 62.0) };
     let (lowest, highest) = (-18.0, 2.0);
     let [first, last] = POWERS;
-    let x_of = |k: i32| area.min.x + f64::from(k - first) / f64::from(last - first) * area.size().x;
+    let x_of = |k: f64| area.min.x + (k - f64::from(first)) / f64::from(last - first) * area.size().x;
     let y_of = |power: f64| area.max.y - (power - lowest) / (highest - lowest) * area.size().y;
     let label = Text::new(12.0, theme.muted);
     let (grid, axis) = (Pen::new(theme.grid, 1.0), Pen::new(theme.axis, 1.2));
-    for power in [-16, -12, -8, -4, 0] {
+    for power in [-15, -12, -9, -6, -3, 0] {
         let y = y_of(power.into());
         page.drawing.line((area.min.x, y), (area.max.x, y), grid);
         let words = Words::default().tex(&format!("10^{{{power}}}"));
         page.drawing.text((area.min.x - 10.0, y), words, label.anchor(Align::End, Level::Middle));
     }
-    for k in (first..=last).step_by(14) {
-        page.drawing.line((x_of(k), area.max.y), (x_of(k), area.max.y + 5.0), axis);
-        let words = Words::default().tex(&format!("2^{{{k}}}"));
-        page.drawing.text((x_of(k), area.max.y + 10.0), words, label.anchor(Align::Middle, Level::Top));
+    for power in [3, 6, 9, 12] {
+        let x = x_of(f64::from(power) * std::f64::consts::LOG2_10);
+        page.drawing.line((x, area.max.y), (x, area.max.y + 5.0), axis);
+        let words = Words::default().tex(&format!("10^{{{power}}}"));
+        page.drawing.text((x, area.max.y + 10.0), words, label.anchor(Align::Middle, Level::Top));
     }
     page.drawing.line((area.min.x, area.max.y), (area.max.x, area.max.y), axis);
     page.drawing.line((area.min.x, area.min.y), (area.min.x, area.max.y), axis);
@@ -141,13 +146,30 @@ pub fn small_root(error: &dyn Fn(f64) -> Option<f64>, what: &Shown) -> Drawing {
     let below = label.anchor(Align::Middle, Level::Baseline);
     page.drawing.text((area.center().x, area.max.y + 46.0), "the other root, L", below);
     page.drawing.text((area.min.x - 10.0, area.max.y), "none", label.anchor(Align::End, Level::Middle));
-    for k in first..=last {
-        let large = (1u64 << k) as f64;
+    let dot = |k: i32| {
         // An answer that cannot be drawn is as wrong as can be.
-        let error = error(large).unwrap_or(f64::MAX);
+        let error = error((1u64 << k) as f64).unwrap_or(f64::MAX);
         let power = if error > 0.0 { libm::log10(error).clamp(lowest, highest) } else { lowest };
-        let hue = if error > crate::lessons::TOLERANCE { Hue::Vermilion } else { Hue::Green };
-        page.drawing.disk((x_of(k), y_of(power)), 3.4, theme.hue(hue));
+        DVec2::new(x_of(k.into()), y_of(power))
+    };
+    let dots: Vec<DVec2> = (first..=last).map(dot).collect();
+    let y = y_of(libm::log10(crate::lessons::TOLERANCE));
+    let tolerance = theme.hue(Hue::Green);
+    page.drawing.line((area.min.x, y), (area.max.x, y), Pen::new(tolerance, 1.6).dashed(Dash::Short));
+    // Its name stands at an end of the line, above or below it, where there are no dots.
+    let size = DVec2::new(150.0, 24.0);
+    let places = [DVec2::new(area.min.x + 6.0, y - size.y), DVec2::new(area.min.x + 6.0, y)];
+    let others = places.map(|p| DVec2::new(area.max.x - 6.0 - size.x, p.y));
+    let is_free = |p: &&DVec2| {
+        let rect = Rect::new(**p, size).grown(4.0);
+        !dots.iter().any(|dot| rect.contains(Rect { min: *dot, max: *dot }))
+    };
+    let place = *places.iter().chain(&others).find(is_free).unwrap_or(&places[0]);
+    let words = Text::new(12.0, tolerance).anchor(Align::Start, Level::Middle);
+    page.drawing.text(place + DVec2::new(0.0, size.y / 2.0), "right: below this line", words);
+    let color = if what.wrong().is_some() { page.wrong().color } else { page.right().color };
+    for dot in dots {
+        page.drawing.disk(dot, 3.4, color);
     }
     page.drawing
 }

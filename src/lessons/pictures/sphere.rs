@@ -42,8 +42,10 @@ pub fn parabola([a, b, c]: [f64; 3], what: &Shown) -> Drawing {
     sketch.line(at(0.0, bottom), at(0.0, top), sketch.guide());
     sketch.name_in(at(0.0, bottom), Words::default().tex("t = 0"), sketch.theme.muted);
     let mut curve = |[a, b, c]: [f64; 3], pen: Pen, words: &str| {
+        let (from, to) = seen_of([a, b, c], [bottom, top]);
+        let (from, to) = (from.max(low), to.min(high));
         let point = |i: i32| {
-            let t = low + (high - low) * f64::from(i) / 160.0;
+            let t = from + (to - from) * f64::from(i) / 160.0;
             at(t, (a * t + b) * t + c)
         };
         let points: Vec<DVec2> = (0..=160).map(point).collect();
@@ -52,7 +54,10 @@ pub fn parabola([a, b, c]: [f64; 3], what: &Shown) -> Drawing {
         sketch.drawing.clipped(Path::rect(room), |drawing| drawing.stroke(path, pen));
         let inside: Vec<DVec2> = points.into_iter().filter(|p| room.contains(Rect { min: *p, max: *p })).collect();
         sketch.keep_off(&inside);
-        if let Some(p) = inside.first() {
+        // At the end that is further from the line t = 0.
+        let off = |p: &&DVec2| (p.x - at(0.0, 0.0).x).abs();
+        let ends = inside.first().into_iter().chain(inside.last());
+        if let Some(p) = ends.max_by(|p, q| off(p).total_cmp(&off(q))) {
             sketch.name_in(*p, Words::from(words), pen.color);
         }
     };
@@ -81,6 +86,17 @@ pub fn parabola([a, b, c]: [f64; 3], what: &Shown) -> Drawing {
     }
     sketch.finish();
     page.drawing
+}
+
+/// From which t to which a quadratic is between two values, or somewhat beyond them; for ever where that cannot be told.
+fn seen_of([a, b, c]: [f64; 3], [bottom, top]: [f64; 2]) -> (f64, f64) {
+    let (middle, extreme) = (-b / (2.0 * a), c - b * b / (4.0 * a));
+    let margin = 0.3 * (top - bottom);
+    let half = ((top + margin - extreme) / a).max((bottom - margin - extreme) / a).sqrt();
+    match half.is_finite() && middle.is_finite() {
+        true => (middle - half, middle + half),
+        false => (f64::NEG_INFINITY, f64::INFINITY),
+    }
 }
 
 /// A ray and a sphere, cut through the centre along the ray.

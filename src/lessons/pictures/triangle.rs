@@ -158,7 +158,7 @@ fn in_its_plane(
 pub fn inside_tests(a: f64, b: f64, what: &Shown, ask: &dyn Fn(f64, f64) -> Option<bool>) -> Drawing {
     let mut page = Page::new(
         what,
-        "All weights a (to the right) and b (up). Filled: what your function says is inside; red where it is not.",
+        "All weights a (to the right) and b (up). Filled: inside, says the function. Red: it says inside, but it is outside.",
     );
     let reach = [a, b, 1.0 - a - b].into_iter().fold(1.5_f64, |reach, x| reach.max(x.abs() + 0.3)).min(6.0);
     let (low, high) = (DVec2::splat(1.0 - reach), DVec2::splat(reach));

@@ -17,8 +17,7 @@ fn bold(letter: &str) -> Words {
 
 /// The scalar product as a projection: a onto the line of b, with the answer over |b| as the length of the shadow.
 pub fn projection(a: DVec3, b: DVec3, what: &Shown) -> Drawing {
-    let mut page =
-        Page::new(what, "In the plane of a and b, which lies along the line: the part of a along b is a's shadow.");
+    let mut page = Page::new(what, "The plane of a and b; b points to the right. The part of a along b is a's shadow.");
     let cut = Cut::through(DVec3::ZERO, b, a);
     let along = |x: f64| DVec2::new(x / b.length().max(1e-9), 0.0);
     let number = |answer: &super::Answer| answer.number("a . b").map(along);
@@ -160,11 +159,12 @@ pub fn cross_product(a: DVec3, b: DVec3, what: &Shown) -> Drawing {
     }
     let area = Path::polygon([zero, at(a), at(a + b), at(b)]);
     sketch.drawing.clipped(Path::rect(page.room), |drawing| drawing.fill(area, given.color.fade(0.12)));
+    // Beneath the others and wider: as seen here a vector may lie along the result.
+    sketch.arrow(zero, at(right), Pen { width: 4.6, ..green });
     sketch.arrow(zero, at(a), given);
     sketch.arrow(zero, at(b), given);
     sketch.name_in(at(a), bold("a"), given.color);
     sketch.name_in(at(b), bold("b"), given.color);
-    sketch.arrow(zero, at(right), green);
     sketch.name_in(at(right), Words::from("true ").tex(r"\mathbf{a}\times\mathbf{b}"), green.color);
     if let Some(got) = got.filter(|_| is_near) {
         sketch.arrow(zero, at(got), red);

@@ -26,6 +26,19 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
             let share = |x: u32, of: u32| (2.0 * f64::from(x) + 1.0) / f64::from(of) - 1.0;
             dvec2(share(x, width), share(y, height))
         },
+        "image-corner-across": on_image = |x, y, width, height| {
+            let (u, v) = (f64::from(x) / f64::from(width), (f64::from(y) + 0.5) / f64::from(height));
+            dvec2(2.0 * u - 1.0, 1.0 - 2.0 * v)
+        },
+        "image-corner-down": on_image = |x, y, width, height| {
+            let (u, v) = ((f64::from(x) + 0.5) / f64::from(width), f64::from(y) / f64::from(height));
+            dvec2(2.0 * u - 1.0, 1.0 - 2.0 * v)
+        },
+        "plane-aspect-whole": image_point = |camera, at| {
+            let h = solution::half_height(camera.fov_y_degrees);
+            let w = h * f64::from(camera.width / camera.height);
+            camera.eye + camera.forward + at.x * w * camera.right + at.y * h * camera.up
+        },
         "plane-aspect-inverted": image_point = |camera, at| {
             let h = solution::half_height(camera.fov_y_degrees);
             let w = h / f64::from(camera.width) * f64::from(camera.height);

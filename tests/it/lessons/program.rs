@@ -44,6 +44,9 @@ fn a_lesson_from_the_shell() {
     assert!(told.contains("`plane_t` is not written yet: lessons/03-triangle/exercise.rs:"), "{told}");
     assert!(!told.contains("panicked") && !told.contains("RUST_BACKTRACE") && !told.contains("picture"), "{told}");
 
+    // Nothing is told of a picture, so none is written, unless it is asked for.
+    assert!(!folder.path().join("lesson-03.png").exists());
+    assert!(text(&run(&exercise, &["--picture", "asked.svg"]).stdout).contains("a picture: asked.svg"));
     let output = run(&solution, &[]);
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
     assert!(text(&output.stdout).contains("All right.") && text(&output.stdout).contains("a picture: lesson-03.png"));

@@ -36,6 +36,8 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
         },
         "leave-unmoved": leave = |ray, t, _, _| ray.at(t),
         "leave-fixed": leave = |ray, t, n, d| ray.at(t) + 1e-4 * n.dot(d).signum() * n,
+        "leave-fixed-one-side": leave = |ray, t, n, _| ray.at(t) + 1e-4 * n,
+        "leave-fixed-along-direction": leave = |ray, t, _, d| ray.at(t) + d * 1e-4,
         "leave-one-side": leave = |ray, t, n, _| ray.at(t) + 1e-14 * (ray.origin.length() + t) * n,
         "side-rounded": side = |ray, p, q| {
             match (p - ray.origin).cross(q - ray.origin).dot(ray.direction) {

@@ -35,6 +35,14 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
             }
             Some(Span { t_in: (-b - disc.sqrt()) / 2.0 * a, t_out: (-b + disc.sqrt()) / 2.0 * a })
         },
+        "quadratic-first-times-a": roots = |a, b, c| {
+            let t_out = solution::roots(a, b, c)?.t_out;
+            Some(Span { t_in: (-b - (b * b - 4.0 * a * c).sqrt()) / 2.0 * a, t_out })
+        },
+        "quadratic-second-times-a": roots = |a, b, c| {
+            let t_in = solution::roots(a, b, c)?.t_in;
+            Some(Span { t_in, t_out: (-b + (b * b - 4.0 * a * c).sqrt()) / 2.0 * a })
+        },
         "quadratic-unchecked": roots = |a, b, c| {
             let root = (b * b - 4.0 * a * c).sqrt();
             Some(Span { t_in: (-b - root) / (2.0 * a), t_out: (-b + root) / (2.0 * a) })
