@@ -96,7 +96,8 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
 /// What is wrong in a function is wrong in the whole tree as well.
 #[test]
 fn the_whole_tree_sees_what_its_functions_do() {
-    let direct: [fn(&Program, &Ray, &Hit, &Light) -> DirectLight; 3] = [
+    type Lighting = fn(&Program, &Ray, &Hit, &Light) -> DirectLight;
+    let direct: [Lighting; 3] = [
         |program, ray, hit, light| {
             let back = Ray { direction: -ray.direction, ..*ray };
             solution::direct_light(program, &back, hit, light)
