@@ -222,7 +222,8 @@ fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
         diff::Field::Refracted => (first.path.child(Branch::Refracted), diff::Field::Outcome),
         field => (first.path.clone(), field),
     };
-    let absent = if field == first.field { "not there" } else { "not traced" };
+    let is_ray = field != first.field || field == diff::Field::Shadows;
+    let absent = if is_ray { "not traced" } else { "not there" };
     let is_unshaded = |tree: &RayTree| {
         let node = path.find(tree);
         field == diff::Field::Outcome
