@@ -77,6 +77,10 @@ fn lights() -> Vec<Case<Pixel>> {
     pixels("scenes/shadows-of-several-lights.json", text)
 }
 
+fn sphere() -> Vec<Case<Pixel>> {
+    pixels("scenes/sphere.json", include_str!("../../scenes/sphere.json"))
+}
+
 fn intersect() -> Task<Pixel> {
     fn choose(program: &Program, ray: &Ray, is_better: fn(&Hit, &Hit) -> bool) -> Option<Hit> {
         let hits = program.objects().filter_map(|object| object.intersect(ray));
@@ -585,7 +589,7 @@ fn direct_light() -> Task<Pixel> {
         Fault::classic(ClassicFault::LightColorIgnored, |pixel| pixel.with_fault(ClassicFault::LightColorIgnored)),
     ];
     let mut cases = lights();
-    cases.extend(pixels("scenes/sphere.json", include_str!("../../scenes/sphere.json")));
+    cases.extend(sphere());
     Task {
         name: "colour: direct light",
         function: "direct_light",
@@ -608,6 +612,9 @@ fn direct_light() -> Task<Pixel> {
 fn program() -> Task<Pixel> {
     let mut cases = mirror();
     cases.extend(lights());
+    // Highlights on colours, and recursion up to maxLevel.
+    cases.extend(sphere());
+    cases.extend(mirrors());
     Task {
         name: "colour: the whole tree",
         function: "the program",

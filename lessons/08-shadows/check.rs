@@ -170,6 +170,9 @@ fn lamps() -> Vec<Case<Pixel>> {
     let mut cases = pixels("scenes/shadow.json", include_str!("../../scenes/shadow.json"));
     cases.extend(pixels("scenes/up-to-the-light.json", include_str!("../../scenes/up-to-the-light.json")));
     cases.extend(several());
+    // Here one object lies beyond the lamp, and another one, later in the scene, is in the way.
+    let water = include_str!("../../scenes/total-internal-reflection.json");
+    cases.extend(pixels("scenes/total-internal-reflection.json", water));
     cases
 }
 
@@ -216,6 +219,19 @@ fn is_blocked() -> Task<Pixel> {
             id: "blocked-by-the-first-only",
             name: "only the first object that is hit is looked at",
             why: "If the first object is beyond the light, the next one may still be before it: all have to be asked.",
+            answer: |pixel| {
+                pixel.answer(Procedures {
+                    is_blocked: |program, shadow| {
+                        met(program, shadow).into_iter().flatten().next().is_some_and(|t| t < shadow.t_max)
+                    },
+                    ..GIVEN
+                })
+            },
+        },
+        Fault {
+            id: "blocked-by-the-last-only",
+            name: "only the last object that is hit counts",
+            why: "What is found later must not undo what was found before: return true at the first object in the way.",
             answer: |pixel| {
                 pixel.answer(Procedures {
                     is_blocked: |program, shadow| {

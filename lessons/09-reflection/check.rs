@@ -129,6 +129,17 @@ fn shade() -> Task<Pixel> {
         let direction = reflect::<f64>(ray.direction, hit.normal);
         sum(local, weight, program.trace_reflected(onward(level), &Ray { origin: hit.point, direction }))
     }
+    /// Shade with reflected rays that start so far above the surface.
+    fn lift(epsilon: f64, program: &Program, level: u32, ray: &Ray, hit: &Hit) -> Rgb {
+        let local = program.local_color(ray, hit);
+        let Some(weight) = hit.material.reflection.filter(|_| level < program.max_level()) else { return local };
+        let direction = reflect::<f64>(ray.direction, hit.normal);
+        let origin = hit.point + epsilon * hit.normal;
+        local + weight * program.trace_reflected(level + 1, &Ray { origin, direction })
+    }
+    const LIFTED: &str = "the reflected ray starts a little above the surface";
+    const NO_LIFT: &str = "No epsilon is needed here: a ray that starts at hit.point is known to leave that surface. Lesson 11 \
+                           is about programs that do not know it.";
     const FAULTS: &[Fault<Pixel>] = &[
         Fault {
             id: "recursion-endless",
@@ -196,6 +207,18 @@ fn shade() -> Task<Pixel> {
             answer: |pixel| {
                 pixel.answer(Procedures { shade: |program, _, ray, hit| program.local_color(ray, hit), ..GIVEN })
             },
+        },
+        Fault {
+            id: "reflection-lifted-1e-3",
+            name: LIFTED,
+            why: NO_LIFT,
+            answer: |pixel| pixel.answer(Procedures { shade: |p, l, r, h| lift(1e-3, p, l, r, h), ..GIVEN }),
+        },
+        Fault {
+            id: "reflection-lifted-1e-4",
+            name: LIFTED,
+            why: NO_LIFT,
+            answer: |pixel| pixel.answer(Procedures { shade: |p, l, r, h| lift(1e-4, p, l, r, h), ..GIVEN }),
         },
         Fault::classic(ClassicFault::ReflectSign, |pixel| pixel.with_fault(ClassicFault::ReflectSign)),
     ];

@@ -189,8 +189,11 @@ fn shade() -> Task<Pixel> {
     #[derive(Clone, Copy, PartialEq)]
     enum Wrong {
         EtaInverted,
+        EtaFixed,
         Dropped,
         WeightLost,
+        WeightReplaced,
+        OnlyMirrors,
         Either,
         Unweighted,
         Endless,
@@ -208,7 +211,11 @@ fn shade() -> Task<Pixel> {
         let send = |direction| Ray { origin: hit.point, direction };
         let mut reflection = hit.material.reflection.unwrap_or(Rgb::ZERO);
         if let Some(transmission) = hit.material.transmission {
-            let [n1, n2] = if wrong == Wrong::EtaInverted { [hit.n2, hit.n1] } else { [hit.n1, hit.n2] };
+            let [n1, n2] = match wrong {
+                Wrong::EtaInverted => [hit.n2, hit.n1],
+                Wrong::EtaFixed => [1.0, 1.5],
+                _ => [hit.n1, hit.n2],
+            };
             let refracted = match refract::<f64>(d, n, n1, n2) {
                 None if wrong == Wrong::Through => Some(d),
                 refracted => refracted,
@@ -227,6 +234,8 @@ fn shade() -> Task<Pixel> {
                 }
                 None if wrong == Wrong::Dropped => reflection = Rgb::ZERO,
                 None if wrong == Wrong::WeightLost => {}
+                None if wrong == Wrong::WeightReplaced => reflection = transmission,
+                None if wrong == Wrong::OnlyMirrors && hit.material.reflection.is_none() => {}
                 None => reflection += transmission,
             }
         }
@@ -245,6 +254,12 @@ fn shade() -> Task<Pixel> {
             },
         },
         Fault {
+            id: "refraction-indices-fixed",
+            name: "the indices are always 1 and 1.5, whatever hit.n1 and hit.n2 are",
+            why: "1 and 1.5 is the way into glass. Out of it, and between other media, they are others: hit.n1, hit.n2.",
+            answer: |pixel| pixel.answer(Procedures { shade: |p, l, r, h| with(Wrong::EtaFixed, p, l, r, h), ..GIVEN }),
+        },
+        Fault {
             id: "refraction-dropped",
             name: "at total reflection nothing goes on",
             why: "Where nothing goes through, all of it is reflected: the reflected ray is traced, with both weights.",
@@ -256,6 +271,22 @@ fn shade() -> Task<Pixel> {
             why: "What cannot go through is reflected as well: the weight is reflection + transmission.",
             answer: |pixel| {
                 pixel.answer(Procedures { shade: |p, l, r, h| with(Wrong::WeightLost, p, l, r, h), ..GIVEN })
+            },
+        },
+        Fault {
+            id: "refraction-weight-replaced",
+            name: "at total reflection the weight of the mirror is lost: it is that of the refracted ray alone",
+            why: "What is reflected anyway stays, and what cannot go through is added: reflection + transmission.",
+            answer: |pixel| {
+                pixel.answer(Procedures { shade: |p, l, r, h| with(Wrong::WeightReplaced, p, l, r, h), ..GIVEN })
+            },
+        },
+        Fault {
+            id: "refraction-only-mirrors",
+            name: "at total reflection no ray is sent where `reflection` is None",
+            why: "Glass that is no mirror reflects too where nothing goes through: the weight is then transmission alone.",
+            answer: |pixel| {
+                pixel.answer(Procedures { shade: |p, l, r, h| with(Wrong::OnlyMirrors, p, l, r, h), ..GIVEN })
             },
         },
         Fault {

@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::words::{full, shown};
-use crate::tree::RayTree;
 use crate::tree::diff::{self, Tolerances, diff};
+use crate::tree::{Branch, Kind, Outcome, RayTree};
 
 /// Numbers count as equal up to this, or up to this share of the expected one where that is larger than 1.
 pub const TOLERANCE: f64 = 1e-9;
@@ -196,10 +196,15 @@ fn color(tree: &RayTree, number: fn(f64) -> String) -> String {
     format!("colour ({})", tree.color.map(number).join(", "))
 }
 
-/// The first value in which two trees part, as each of them has it, and both colours.
+/// The first value in which two trees part, of the shallowest ray that does, as each of them has it, and both colours.
 fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
     let difference = diff(right, own, &Tolerances::default());
-    let Some(first) = difference.first() else { return [right, own].map(|tree| color(tree, shown)) };
+    // The shallowest ray; of those of one level the first. A shadow ray belongs to the ray that it starts from.
+    let level = |other: &&diff::Divergence| other.path.len() - usize::from(other.kind == Kind::Shadow);
+    let grown = difference.divergences.iter().filter(|other| !other.consequence);
+    let Some(first) = grown.min_by_key(level).or(difference.first()) else {
+        return [right, own].map(|tree| color(tree, shown));
+    };
     // An object is told by its name, where it has one.
     let is_named = |other: &&diff::Divergence| other.path == first.path && other.field == diff::Field::Object;
     let named = difference.divergences.iter().find(is_named).filter(|_| first.field == diff::Field::Shape);
@@ -211,11 +216,25 @@ fn parting(right: &RayTree, own: &RayTree) -> [String; 2] {
         diff::Value::Word(word) => word.clone(),
         diff::Value::Flag(yes) => yes.to_string(),
     };
-    let path = shortened(&first.path.to_string());
+    // Whether there is a ray at all is told of that ray.
+    let (path, field) = match first.field {
+        diff::Field::Reflected => (first.path.child(Branch::Reflected), diff::Field::Outcome),
+        diff::Field::Refracted => (first.path.child(Branch::Refracted), diff::Field::Outcome),
+        field => (first.path.clone(), field),
+    };
+    let is_ray = field != first.field || field == diff::Field::Shadows;
+    let absent = if is_ray { "not traced" } else { "not there" };
+    let is_unshaded = |tree: &RayTree| {
+        let node = path.find(tree);
+        field == diff::Field::Outcome
+            && node.is_ok_and(|node| node.outcome == Outcome::Background && node.hit.is_some())
+    };
+    let short = shortened(&path.to_string());
     let of = first.light.as_ref().map_or(String::new(), |light| format!(" of {light}"));
     let told = |tree: &RayTree, value: &Option<diff::Value>| {
-        let value = value.as_ref().map_or("not there".to_owned(), word);
-        format!("{path} {}{of}: {value}; {}", first.field, color(tree, shown))
+        let value = value.as_ref().map_or(absent.to_owned(), word);
+        let value = if is_unshaded(tree) { "hit, but not shaded".to_owned() } else { value };
+        format!("{short} {field}{of}: {value}; {}", color(tree, shown))
     };
     [told(right, &first.a), told(own, &first.b)]
 }

@@ -230,7 +230,7 @@ impl Report {
             };
             let came = match (stage.outcome, &stage.failure) {
                 (Outcome::Passed, _) => format!("{} of {} points, {} cases", stage.points, stage.of, stage.cases),
-                (Outcome::NotReached, _) => format!("waits for {}", stage.waits_for.join(" and ")),
+                (Outcome::NotReached, _) => format!("waits for {}", listed(&stage.waits_for)),
                 (_, Some(Failure { kind: FailureKind::Unwritten, .. })) => "not written yet".to_owned(),
                 (_, Some(Failure { kind: FailureKind::Panicked, .. })) => "panicked".to_owned(),
                 (_, failure) => {
@@ -271,6 +271,14 @@ impl Failure {
             text += &format!("\nthe mistake: {name}\n{}", indented(why));
         }
         text
+    }
+}
+
+/// Names in a sentence: `a, b and c`.
+pub(super) fn listed(names: &[String]) -> String {
+    match names {
+        [before @ .., last] if !before.is_empty() => format!("{} and {last}", before.join(", ")),
+        _ => names.concat(),
     }
 }
 

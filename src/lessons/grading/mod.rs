@@ -16,7 +16,7 @@ pub use exercism::to_exercism;
 pub use gradescope::to_gradescope;
 pub use junit::to_junit;
 
-use super::report::{Failure, FailureKind, Mistake, Outcome, Report, StageReport};
+use super::report::{Failure, FailureKind, Mistake, Outcome, Report, StageReport, listed};
 use crate::input::printable;
 
 /// What every result says of the grader.
@@ -356,7 +356,7 @@ fn by_stages(key: &Report, stages: &[Result<StageReport, Stopped>]) -> Vec<Stage
             Verdict::Right => grade,
             _ if waits_for.is_empty() => grade,
             _ => {
-                let message = format!("waits for {}", waits_for.join(" and "));
+                let message = format!("waits for {}", listed(&waits_for));
                 StageGrade { waits_for, ..StageGrade::stopped(key, Verdict::NotReached, message) }
             }
         });
@@ -385,7 +385,7 @@ impl StageGrade {
         let message = match (&stage.failure, verdict) {
             (_, Verdict::Right) => None,
             (Some(failure), _) => Some(clean(&failure.to_text(&stage.function, stage.cases))),
-            (None, _) => Some(format!("waits for {}", stage.waits_for.join(" and "))),
+            (None, _) => Some(format!("waits for {}", listed(&stage.waits_for))),
         };
         StageGrade {
             name: stage.name.clone(),

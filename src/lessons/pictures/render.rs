@@ -26,6 +26,7 @@ pub fn renders(pixel: &Pixel, what: &Shown, student: &dyn Fn(&Pixel) -> Option<A
     let count = differ.iter().filter(|differs| **differs).count();
     let about = match (own.len(), count) {
         (0, _) => "The picture that there should be.".to_owned(),
+        (of, 0) if what.wrong().is_some() && of == right.len() => "No colour differs; the rays do.".to_owned(),
         (_, 0) => "The picture that your functions make.".to_owned(),
         (of, _) => format!("Of {of} pixels {count} differ."),
     };

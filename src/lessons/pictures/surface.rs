@@ -33,7 +33,8 @@ pub fn at_surface(
     let cut = Cut::through(DVec3::ZERO, right, normal);
     let of = |given: &Answer| given.vector(answer).map(|v| cut.way(v / size));
     let (true_way, own_way) = (of(&what.expected), what.wrong().and_then(of));
-    let below = [true_way, own_way].into_iter().flatten().any(|way| way.y < -0.02);
+    let given_ways = leaves.iter().map(|(_, v)| cut.way(*v));
+    let below = [true_way, own_way].into_iter().flatten().chain(given_ways).any(|way| way.y < -0.02);
     let needed = [DVec2::new(-1.15, if below { -1.1 } else { -0.2 }), DVec2::new(1.15, 1.15)];
     let (view, is_near) = View::new(&needed, &own_way.into_iter().collect::<Vec<_>>(), page.room);
     match what.wrong() {
@@ -93,7 +94,11 @@ pub fn towards_light(point: DVec3, light: &Light, what: &Shown) -> Drawing {
     let needed: Vec<DVec2> = [DVec2::ZERO, lamp].into_iter().chain(ends(true_way)).collect();
     let (view, is_near) = View::new(&needed, &wished, page.room);
     if what.wrong().is_some() && (!is_near || own_way.is_none()) {
-        page.note("Your answer lies too far away to be drawn whole.");
+        let is_end = own_way.is_some_and(|(way, _)| View::new(&needed, &[way], page.room).1);
+        page.note(match is_end {
+            true => "The end of your ray, at your t_max, lies beyond the picture.",
+            false => "Your answer lies too far away to be drawn whole.",
+        });
     }
     let [given, green, red] = [page.given(), page.right(), page.wrong()];
     let mut sketch = Sketch::new(&mut page.drawing, page.room, page.theme);

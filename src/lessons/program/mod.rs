@@ -184,7 +184,11 @@ impl<'s> Program<'s> {
     #[track_caller]
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         self.record.borrow_mut().work(self.enough());
-        (self.procedures.intersect)(self, ray)
+        let hit = (self.procedures.intersect)(self, ray);
+        if let Some(hit) = &hit {
+            self.record.borrow_mut().found(self.tracer, &self.surface(hit));
+        }
+        hit
     }
 
     /// What the surface sends back along the ray that has hit it.

@@ -58,8 +58,12 @@ impl Pixel {
     /// What is given: the scene, the pixel, and how to see it step by step.
     pub fn given(&self) -> Vec<String> {
         let (file, Pixel { x, y, .. }) = (&self.place.loaded.file, self);
-        let pixel = self.name.as_ref().map_or(format!("{x},{y}"), |name| format!("\"{name}\""));
-        vec![format!("scene {file}, pixel {x},{y}"), format!("step by step: raytree step {file} {pixel}")]
+        let step = |pixel: &str| format!("step by step: raytree step {file} {pixel}");
+        match &self.name {
+            Some(name) => vec![format!("scene {file}, pixel {x},{y}"), step(&format!("\"{name}\""))],
+            // The case is called so.
+            None => vec![step(&format!("{x},{y}"))],
+        }
     }
 
     /// The tree that a program with these procedures makes.

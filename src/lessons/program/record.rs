@@ -67,6 +67,13 @@ impl Record {
         }
     }
 
+    /// Something was found on the ray that was begun last. Until it is shaded the ray has hit nothing.
+    pub(super) fn found(&mut self, tracer: &Tracer<'_, f64>, surface: &Surface<f64>) {
+        if let Some(Open { node, .. }) = self.open.last_mut() {
+            node.hit.get_or_insert_with(|| hit_record(tracer, surface));
+        }
+    }
+
     /// The ray that was begun last is at a surface.
     pub(super) fn hit(&mut self, tracer: &Tracer<'_, f64>, surface: &Surface<f64>) {
         if let Some(Open { node, .. }) = self.open.last_mut() {

@@ -66,6 +66,15 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
                 _ => color,
             }
         },
+        "reflection-lifted-1e-4": shade = |program, level, ray, hit| {
+            let mut color = program.local_color(ray, hit);
+            if let (Some(reflection), true) = (hit.material.reflection, level < program.max_level()) {
+                let Ray { origin, direction } = reflected(ray, hit);
+                let lifted = Ray { origin: origin + 1e-4 * hit.normal, direction };
+                color += reflection * program.trace_reflected(level + 1, &lifted);
+            }
+            color
+        },
         "reflect-sign": shade = |program, level, ray, hit| {
             let mut color = program.local_color(ray, hit);
             if let (Some(reflection), true) = (hit.material.reflection, level < program.max_level()) {

@@ -76,6 +76,27 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
             (exchanged.n1, exchanged.n2) = (hit.n2, hit.n1);
             solution::shade(program, level, ray, &exchanged)
         },
+        "refraction-indices-fixed": shade = |program, level, ray, hit| {
+            let mut fixed = *hit;
+            (fixed.n1, fixed.n2) = (1.0, 1.5);
+            solution::shade(program, level, ray, &fixed)
+        },
+        "refraction-weight-replaced": shade = |program, level, ray, hit| {
+            let mut other = *hit;
+            if solution::refracted_direction(ray.direction, hit.normal, hit.n1, hit.n2).is_none() {
+                other.material.reflection = other.material.reflection.filter(|_| other.material.transmission.is_none());
+            }
+            solution::shade(program, level, ray, &other)
+        },
+        "refraction-only-mirrors": shade = |program, level, ray, hit| {
+            let mut other = *hit;
+            if hit.material.reflection.is_none()
+                && solution::refracted_direction(ray.direction, hit.normal, hit.n1, hit.n2).is_none()
+            {
+                other.material.transmission = None;
+            }
+            solution::shade(program, level, ray, &other)
+        },
         "refraction-dropped": shade = dropped,
         "refraction-weight-lost": shade = weight_lost,
         "refraction-endless": shade = |program, level, ray, hit| solution::shade(program, level.min(1), ray, hit),

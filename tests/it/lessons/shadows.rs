@@ -42,6 +42,23 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
             program.intersect(&shadow_ray.ray).is_some_and(|hit| hit.t < 0.0)
         },
         "blocked-behind-the-light": is_blocked = |program, shadow_ray| program.intersect(&shadow_ray.ray).is_some(),
+        "blocked-by-the-first-only": is_blocked = |program, shadow_ray| {
+            for object in program.objects() {
+                if let Some(hit) = object.intersect(&shadow_ray.ray) {
+                    return hit.t < shadow_ray.t_max;
+                }
+            }
+            false
+        },
+        "blocked-by-the-last-only": is_blocked = |program, shadow_ray| {
+            let mut is_blocked = false;
+            for object in program.objects() {
+                if let Some(hit) = object.intersect(&shadow_ray.ray) {
+                    is_blocked = hit.t < shadow_ray.t_max;
+                }
+            }
+            is_blocked
+        },
         "blocked-turned-round": is_blocked = |program, shadow_ray| !solution::is_blocked(program, shadow_ray),
     ]
 }

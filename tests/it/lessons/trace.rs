@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use glam::DVec3;
-use raytree::lessons::{DirectLight, Lesson, LightKind, Rgb};
+use raytree::lessons::{DirectLight, Hit, Lesson, Light, LightKind, Outcome, Program, Ray, Rgb};
 
 #[path = "../../../lessons/07-trace/check.rs"]
 #[allow(dead_code, reason = "here nothing runs the lesson as a program")]
@@ -40,6 +40,10 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
         "background-black": trace = |program, level, ray| match solution::intersect(program, ray) {
             Some(hit) => program.shade(level, ray, &hit),
             None => DVec3::ZERO,
+        },
+        "surface-colour-unshaded": trace = |program, _, ray| match program.intersect(ray) {
+            Some(hit) => hit.material.color,
+            None => program.background(ray),
         },
         "trace-level-raised": trace = |program, level, ray| match solution::intersect(program, ray) {
             Some(hit) => program.shade(level + 1, ray, &hit),
@@ -87,6 +91,46 @@ pub(super) fn wrong() -> Vec<(&'static str, Lesson)> {
             DirectLight { specular: Rgb::ZERO, ..solution::direct_light(program, ray, hit, light) }
         },
     ]
+}
+
+/// What is wrong in a function is wrong in the whole tree as well.
+#[test]
+fn the_whole_tree_sees_what_its_functions_do() {
+    type Lighting = fn(&Program, &Ray, &Hit, &Light) -> DirectLight;
+    let direct: [Lighting; 3] = [
+        |program, ray, hit, light| {
+            let back = Ray { direction: -ray.direction, ..*ray };
+            solution::direct_light(program, &back, hit, light)
+        },
+        |program, ray, hit, light| {
+            let DirectLight { diffuse, specular } = solution::direct_light(program, ray, hit, light);
+            DirectLight { diffuse, specular: specular * hit.material.color }
+        },
+        |program, ray, hit, light| DirectLight {
+            specular: Rgb::ZERO,
+            ..solution::direct_light(program, ray, hit, light)
+        },
+    ];
+    let planted = direct.map(|direct_light| check::lesson(check::Student { direct_light, ..student() }));
+    let mut lessons = Vec::from(planted);
+    lessons.extend(wrong().into_iter().filter(|(id, _)| *id == "trace-level-raised").map(|(_, lesson)| lesson));
+    assert_eq!(lessons.len(), 4);
+    for lesson in lessons {
+        let (report, _) = lesson.check();
+        let whole = report.stages.last().unwrap();
+        assert_eq!((whole.outcome, whole.points), (Outcome::NotReached, 0), "{}", report.to_text("run"));
+    }
+    let missing = |text: &str| text.contains("  -  ") && text.contains("waits for to_light, diffuse and specular");
+    let (report, _) = unsolved().check();
+    assert!(missing(&report.to_text("run")), "{}", report.to_text("run"));
+}
+
+#[test]
+fn a_hit_that_is_not_shaded_is_told_as_such() {
+    let (_, lesson) = wrong().into_iter().find(|(id, _)| *id == "surface-colour-unshaded").unwrap();
+    let text = lesson.check().0.to_text("run");
+    assert!(text.contains("expected  root outcome: hit; colour"), "{text}");
+    assert!(text.contains("got       root outcome: hit, but not shaded; colour"), "{text}");
 }
 
 /// A lesson whose functions always answer the same. A function pointer holds nothing: the answers go by way of a cell.
